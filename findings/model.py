@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rosarch.base.places import Place
@@ -26,7 +27,12 @@ class Change:
     meant: str
 
     def __str__(self) -> str:
-        return f"`{self.written}` becomes `{self.meant}`" if self.written else f"add the line `{self.meant}` below"
+        return f"`{self.written}` becomes `{self.meant}`" if self.written else added([self.meant])
+
+
+def added(lines: Sequence[str]) -> str:
+    """What to do where lines are missing."""
+    return f"add the {'line' if len(lines) == 1 else 'lines'} {', '.join(f'`{line}`' for line in lines)} below"
 
 
 @dataclass(frozen=True)

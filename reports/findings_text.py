@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
+from itertools import groupby
 
 from rich.text import Text
 
 from rosarch.findings.fixes import edits_of
-from rosarch.findings.model import Evidence
+from rosarch.findings.model import Evidence, added
 from rosarch.findings.policy import Reported
 from rosarch.reports.excerpts import Excerpts
 from rosarch.reports.findings import Alike, Setting, alike, because, summary_line
@@ -84,8 +85,12 @@ def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bo
             shown.add((step.place.path, step.place.line))
     for message in each.messages:
         yield Text.assemble("  ", ("also: ", "bold"), message)
-    for change, *_ in dict.fromkeys(part for found in (each.first, *each.others) for part in edits_of(found, setting.read)):
-        yield Text.assemble("  ", ("fix: ", "bold"), f"{setting.line(change.place)}: {printable(str(change))}")
+    edits = [change for change, *_ in dict.fromkeys(part for found in (each.first, *each.others) for part in edits_of(found, setting.read))]
+    for line, changes in groupby(edits, key=lambda change: None if change.written else setting.line(change.place)):
+        if line is None:
+            yield from (Text.assemble("  ", ("fix: ", "bold"), f"{setting.line(one.place)}: {printable(str(one))}") for one in changes)
+        else:
+            yield Text.assemble("  ", ("fix: ", "bold"), f"{line}: {printable(added([one.meant for one in changes]))}")
     if finding.check.recommendation and hint:
         yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
     if each.systems:

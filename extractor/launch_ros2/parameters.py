@@ -319,10 +319,15 @@ def yaml_value(source: str) -> Any:
 # -- files --------------------------------------------------------------------------------------------------------------------
 
 
+def params_path(world: World, value: Any, context: Context) -> str:
+    """Where the file of parameters is that a node is given: launch_ros takes paths of pathlib there, too."""
+    return value.text if isinstance(value, PathText) else perform(world, value, context)
+
+
 def _of_file(world: World, value: Any, given: Given, name: str | None, context: Context) -> Iterator[Setting | Unread | Read]:
     state = world.state
     substituted = isinstance(value, Made) and value.kind == "ParameterFile" and bool(value.arguments.get("allow_substs"))
-    path = value.text if isinstance(value, PathText) else perform(world, value, context)
+    path = params_path(world, value, context)
     if not path:  # launch_ros goes on without a file
         return
     if path not in world.written and state.unknowns.is_open(path):

@@ -30,7 +30,7 @@ from rosarch.extractor.launch_ros2.actions import carries_out, conditional, join
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.controllers import asked_by_command, asked_by_spawner
 from rosarch.extractor.launch_ros2.expressions import Raised
-from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
+from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, params_path, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.processes import node_programs
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
@@ -284,7 +284,7 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
     for given in params:
         if given.name is not None or given.node is not None or isinstance(given.value, (dict, Either, Unknown)):
             continue
-        path = perform(world, given.value, context)
+        path = params_path(world, given.value, context)
         if world.state.unknowns.is_open(path) and path not in world.written:
             continue
         try:

@@ -19,7 +19,7 @@ from rosarch.extractor.launch_ros2.agenda import Agenda
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
 from rosarch.extractor.launch_ros2.registry import HELPER_PACKAGES
-from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathText, Unknown, installed
+from rosarch.extractor.launch_ros2.values import NOTHING, Class, Either, Function, PathText, Unknown, installed
 from rosarch.extractor.urdf.robots import Robot
 
 if TYPE_CHECKING:
@@ -82,6 +82,8 @@ class World:
             return mark
         if isinstance(value, Unknown):
             return self.state.unknowns.mark(f"$({value.text})", value.place.path)
+        if value is NOTHING:
+            return ""
         try:
             self.state.spend(size_of(value))
         except TooLarge as error:

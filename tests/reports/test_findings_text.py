@@ -6,13 +6,13 @@ import re
 from dataclasses import replace
 
 import pytest
-from findings_reports import BELOW, EVIL_SETTING, HERE, WITH_MANIFEST, everything, hostile, nothing, one, with_fix
+from findings_reports import BELOW, EVIL_SETTING, HERE, MANIFEST, WITH_MANIFEST, everything, hostile, nothing, one, with_fix
 from handmade_findings import CHECKS, FULL, MISMATCH, STYLE, finding
 from systems import node, small, system
 
 from rosarch.analysis.systems.check_result import scope_of
 from rosarch.base.places import Place
-from rosarch.findings.model import Evidence
+from rosarch.findings.model import Change, Evidence
 from rosarch.findings.policy import Policy, apply_policy
 from rosarch.reports.excerpts import WIDEST, Excerpts
 from rosarch.reports.findings import Setting, scope_text
@@ -42,6 +42,15 @@ def test_a_fix() -> None:
     assert [line for line in text.splitlines() if line.startswith("  fix: ")] == [
         "  fix: ws/base/launch/base.launch:3: `/ticks` becomes `/odom/ticks`",
         "  fix: ws/base/package.xml:2: add the line `<depend>std_msgs</depend>` below",
+    ]
+
+
+def test_lines_to_add_at_one_place_are_told_together() -> None:
+    lines = [Change(MANIFEST, "", f"<depend>{name}</depend>") for name in ("std_msgs", "tf2")]
+    found = [replace(FULL, message=one.meant, changes=(one,)) for one in lines]
+    text = findings_text(apply_policy(found, Policy(), checks=CHECKS), WITH_MANIFEST)
+    assert [line for line in text.splitlines() if line.startswith("  fix: ")] == [
+        "  fix: ws/base/package.xml:2: add the lines `<depend>std_msgs</depend>`, `<depend>tf2</depend>` below"
     ]
 
 

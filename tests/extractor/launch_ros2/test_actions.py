@@ -525,3 +525,10 @@ def test_a_process_that_is_a_node_of_its_own(tmp_path: Path) -> None:
     found = described(tmp_path, "ExecuteProcess(cmd=['rviz2', '-d', 'x.rviz', '--ros-args', '-r', '__ns:=/robot', '-r', 'tf:=/tf'])")
     [node] = found.nodes
     assert (node.package, node.type, node.full_name, node.args, len(node.remaps)) == ("rviz2", "rviz2", "/robot/rviz2", "-d x.rviz", 1)
+
+
+def test_a_variable_that_may_have_no_value_shows_nothing_of_its_own(tmp_path: Path) -> None:
+    before = "import sys\nfor word in sys.argv:\n    if word.startswith('n:='):\n        number = int(word.split(':=')[1])"
+    (name,) = names(described(tmp_path, "node('r', namespace=['robot_', str(number)])", before))
+    assert name.startswith("/robot_$(word.startswith('n:=') ? ")
+    assert " object at " not in name

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from ros2_launch_builder import composed, params, problems
+from ros2_launch_builder import composed, described, params, problems
 
 from rosarch.extractor.launch_ros2.params_files import refused
 
@@ -78,3 +78,10 @@ def test_what_nodes_and_launch_do_not_make_of_a_file(tmp_path: Path) -> None:
     assert told(tmp_path / "b", '<param from="$(dirname)/p.yaml"/>', open_) == [literal]
     assert told(tmp_path / "c", '<param from="$(dirname)/p.yaml" allow_substs="true"/>', open_) == []
     assert told(tmp_path / "d", '<param from="$(dirname)/p.yaml"/>', empty.replace("n:", "other:", 1)) == []
+
+
+def test_a_path_of_pathlib_names_a_file_for_a_node_without_a_name(tmp_path: Path) -> None:
+    (tmp_path / "n.yaml").write_text("n:\n  ros__parameters:\n    p: 1\n")
+    found = described(tmp_path, f"Node(package='here', executable='run', parameters=[Path('{tmp_path}') / 'n.yaml'])")
+    assert not found.problems
+    assert params(found) == {"/n/p": 1}
