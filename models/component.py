@@ -35,7 +35,8 @@ class Port:
     """A place where a component meets others; the fields are those of `FORMAT.md`.
 
     `unknown` says why a name is not known, `in_namespace` where it has the namespace of the node: `first` (though it looks
-    absolute) or `inside`. `qos` are the policies of its quality of service that are known, each with its setting.
+    absolute) or `inside`. `qos` are the policies of its quality of service that are known, each with its setting. `inside` is the call
+    of the library in the function that `at` calls, when that only passes on what it is given.
     """
 
     id: str
@@ -53,6 +54,7 @@ class Port:
     guard: Formula = TRUE
     in_namespace: str | None = None
     qos: tuple[tuple[str, str], ...] = ()
+    inside: Place | None = None
 
 
 @dataclass(frozen=True)
@@ -277,7 +279,7 @@ def _only(rows: Iterable[Row]) -> dict[Any, Any]:
 def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) -> tuple[tuple[Port, ...], dict[Row, str]]:
     """The ports, and the ids of those by their record that are not implicit or that something is known to react to."""
     types, parameters = _only(relations["port_type"]), _first(relations["port_parameter"])
-    queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
+    queues, unknown, via = _only(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
     relative, qualities = _first(relations["port_in_namespace"]), _qualities(relations)
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
@@ -287,11 +289,13 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     calls = defaultdict(list)
     for port, call in sorted(relations["port_made_through"], key=repr):
         calls[port].append(call)
+    passed = _only(relations["port_made_for"])
     found: list[tuple[Row | None, Port]] = []
     for (port,) in relations["port"]:
         site, kind, name = port
         if site not in places:
             continue
+        asked = places.get(passed[port]) if port in passed else None
         found.append(
             (
                 port,
@@ -305,12 +309,13 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     port in latched,
                     callbacks.get(port),
                     via.get(port, "plain"),
-                    places[site],
+                    asked or places[site],
                     False,
                     unknown.get(port),
                     guards.created(site, calls[port]),
                     relative.get(port),
                     qualities.get(port, ()),
+                    places[site] if asked else None,
                 ),
             )
         )
@@ -506,6 +511,8 @@ def port_json(port: Port) -> dict[str, Any]:
         data["unknown"] = port.unknown
     if port.in_namespace:
         data["in_namespace"] = port.in_namespace
+    if port.inside:
+        data["inside"] = str(port.inside)
     return data
 
 

@@ -12,7 +12,7 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, build_models, distinct, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_handler", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
+    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_handler", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_made_for", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "lambda_within", "parameter_access", "parameter_access_default", "parameter_access_type",
     "reconfigure_parameter", "node_name", "node_element", "port_of_other_node", "unseen", "port_unreached", "component_middleware", "managed_node",

@@ -28,6 +28,7 @@ class Lamp(Node):
         self.declare_parameter("rate", 2.0)
         self.declare_parameter("debug", False)
         self.declare_parameter("steps", 3)
+        self.declare_parameter("level", 3)
         rate = self.get_parameter("rate")
         self.half = rate / 2
         self.timer = self.create_timer(1.0 / self.get_parameter("rate"), self.tick)
@@ -35,6 +36,8 @@ class Lamp(Node):
         self.whole = self.get_parameter("rate").get_parameter_value().integer_value
         self.right = self.get_parameter("rate").get_parameter_value().double_value
         self.steps = self.get_parameter("steps").get_parameter_value().integer_value
+        asked = self.get_parameter("level").get_parameter_value().type == 3
+        self.level = self.get_parameter("level").get_parameter_value().double_value if asked else None
         self.add_on_set_parameters_callback(self.changed)
         self.add_on_set_parameters_callback(self.accepted)
         self.client = self.create_client(Trigger, "reset")
