@@ -367,6 +367,8 @@ class Calls(Expressions):
     def _fill(self, made: Instance, arguments: list[Any], named: dict[str, Any]) -> None:
         """The fields of an object whose class says only which ones it has."""
         fields = made.of.all_fields()
+        if (arguments or named) and not fields and made.made is None and _is_plain(made.of):
+            raise Raised("TypeError", f"{made.of.name}() takes no arguments")
         made.attributes.update(zip(fields, arguments, strict=False))
         made.attributes.update(named)
         for name in fields:
@@ -464,6 +466,13 @@ class Calls(Expressions):
         """What was written into a file can be read."""
         if file.written:
             self.world.written[file.name] = self.world.content_of(file.name) if file.text is None else file.text
+
+
+def _is_plain(of: Class) -> bool:
+    """Whether all that a class has is known, and it is made as Python does by itself."""
+    if "__new__" in of.members:
+        return False
+    return all(_is_plain(base) if isinstance(base, Class) else getattr(base, "text", "") == "object" for base in of.bases)
 
 
 def _bound(function: Function, arguments: list[Any], named: dict[str, Any]) -> Iterator[tuple[str, Any]]:

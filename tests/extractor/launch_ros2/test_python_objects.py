@@ -178,3 +178,10 @@ def test_times_in_yaml_are_written_with_a_point(tmp_path: Path, delay: str, refu
 def test_a_parameter_that_is_none_in_yaml(tmp_path: Path, value: str) -> None:
     found = xml(tmp_path, f'<arg name="a" default="b"/><node pkg="here" exec="run" name="a"><param name="p" value="{value}"/></node>')
     assert [problem.message for problem in found.problems] == [f"`{value}` is neither a scalar nor a list of one type"]
+
+
+@pytest.mark.parametrize(("base", "errors"), [("object", ["TypeError: A() takes no arguments"]), ("Unseen", [])])
+def test_a_class_that_takes_no_arguments(tmp_path: Path, base: str, errors: list[str]) -> None:
+    before = f"from unseen import Unseen\nclass A({base}):\n    def made(self):\n        return node('a')\n"
+    found = described(tmp_path, "A('x').made()", before)
+    assert [problem.message for problem in found.problems if problem.kind == "python" and problem.fatal] == errors
