@@ -456,6 +456,8 @@ def _all_of(module: Any) -> dict[str, Any]:
 
 _RELATED = {
     "OSError": {"FileNotFoundError", "EnvironmentError", "IOError"},
+    "IndexError": {"LookupError"},
+    "KeyError": {"LookupError"},
     "FileNotFoundError": {"OSError", "EnvironmentError", "IOError"},
 }
 

@@ -48,6 +48,7 @@ def matched(subject: str, cases: str) -> str:
         (matched("'q'.upper()", "'Y': pass; found_name if found_name == 'Q': found = [node(found_name)]"), "*found", ["/Q"]),
         (matched("None", "True: pass; None: found = [node('none')]"), "*found", ["/none"]),
         ("import itertools", "*[node('_'.join(each)) for each in itertools.product('ab', 'cd')][1:3]", ["/a_d", "/b_c"]),
+        ("try:\n    found = [0][3]\nexcept LookupError:\n    found = node('caught')\n", "found", ["/caught"]),
         (MEMBERS, "A().made(), A.other().made()", ["/a_p", "/o_p"]),
         ("class Own(Action):\n    def execute(self, context):\n        return [node('own')]\n", "Own(condition=UnlessCondition('true')), Own()", ["/own"]),
     ],
