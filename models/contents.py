@@ -37,7 +37,7 @@ class Filling:
 
 @dataclass(frozen=True)
 class Contents:
-    """What is known of the contents of messages.
+    """What is known about the contents of messages.
 
     `sent` are the calls, by port and place, that send messages of which all is seen that is put into them, with the message. `rounds` are
     all calls by which a timed loop or timer sends: the port, the place of the call and of the loop, and the condition. `kinds` are the

@@ -74,7 +74,7 @@ class Held:
         return tuple((queue, min(own) if len(own) == 1 else 0) for queue, own in sorted(found.items()))
 
     def cases(self, end: End, queue: int, case: Mapping[str, frozenset[str]]) -> Iterator[tuple[frozenset[int], list[Subject]]]:
-        """The contents, by number, that are certainly one of a case, and those that may be, with what is not known of them."""
+        """The contents, by number, that are certainly one of a case, and those that may be, with what is not known about them."""
         subjects = list(self.read[end])
         unsure = []
         sure = set()
@@ -104,6 +104,6 @@ class Held:
 
 
 def _content(effect: Effect, port: str) -> Mapping[str, str]:
-    """What is known of the message that goes through a port: nothing where several differ."""
+    """What is known about the message that goes through a port: nothing where several differ."""
     found = [dict(content) for name, content in effect.contents if name == port]
     return found[0] if found and all(content == found[0] for content in found) else {}

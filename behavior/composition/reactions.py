@@ -48,7 +48,7 @@ class Effect:
 
     `before` are the variables it depends on with their values, `choices` what it takes for granted of anything else (there may be other
     ways to the same), `after` the values that it gives to variables, `sent` ports, in order. `rows` are the rows of the model that were
-    followed, `contents` what is known of the messages that were sent: the port, and the values of the fields that were asked for.
+    followed, `contents` what is known about the messages that were sent: the port, and the values of the fields that were asked for.
     """
 
     before: Mapping[str, str]
