@@ -235,9 +235,10 @@ def _asking_messages(behavior: Behavior, relations: Relations, ids: Mapping[Any,
     found = []
     for each in behavior.reactive:
         texts = [_QUOTED.sub("", item.meaning or item.text) for item in atoms(each.guard)]
-        words = [word for text in texts for word in _ROOT.findall(text) if word not in _WORDS and constant(word) is None]
-        asked = {word for word in words if word in names[each.input]}
-        if not each.must and asked and asked == set(words) - _namespaces(texts):
+        roots = {word for text in texts for word in _ROOT.findall(text)}
+        asked = roots & names[each.input]
+        words = {word for word in roots - asked if word not in _WORDS and constant(word) is None}
+        if not each.must and asked and not words - _namespaces(texts):
             found.append(Trait("asks_message", (each.input, each.output)))
     return tuple(found)
 

@@ -1,9 +1,10 @@
 # Names that mean something else when they are asked again: a local that is given another value, one of a function that is called; not a message that
-# is handed on, nor a local that keeps its value.
+# is handed on, be it by several calls, nor a local that keeps its value. What calls give a parameter of another name may differ.
 #
 # expect: unsteady_name("ok")
 # expect: unsteady_name("d")
-# expect: 2 = count : { unsteady_name(_) }
+# expect: unsteady_name("text")
+# expect: 3 = count : { unsteady_name(_) }
 import random
 
 import rospy
@@ -14,6 +15,7 @@ class Node:
     def __init__(self):
         self.pub = rospy.Publisher("out", Empty, queue_size=1)
         rospy.Subscriber("in", Float64, self.on_in)
+        rospy.Subscriber("joy", Float64, self.on_joy)
 
     def on_in(self, msg):
         ok = random.random() > 0.5
@@ -32,6 +34,19 @@ class Node:
 
     def handle(self, msg):
         if msg.data > 5:
+            self.pub.publish(Empty())
+
+    def on_joy(self, joy):
+        if joy.data > 7:
+            self.run(joy, "high")
+        elif joy.data < 1:
+            self.run(joy, "low")
+        self.pub.publish(Empty())
+
+    def run(self, joy, text):
+        if joy.data != 0:
+            self.pub.publish(Empty())
+        if text == "low":
             self.pub.publish(Empty())
 
     def deep(self):
