@@ -75,6 +75,7 @@ class ComponentFacts:
         rows["message_class"] = {row for row in rows["message_class"] if row[0] in classes}
         types = {row[2] for row in rows["message_class"]}
         rows["config_parameter"] = {row for row in rows["config_parameter"] if row[0] in types}
+        rows["message_default"] = {(name,) for name in self.fields.defaults}
         if rows["source_language"]:  # what other languages are compiled
             rows.update(self.fields.used(rows["message_class"]))
         return rows
@@ -220,6 +221,7 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
     packages = workspace.packages
     fields = {kind: MessageFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}
     rows = [sorted(rows) for rows in closed.values()] + [sorted(known.rows.items()) for known in fields.values()]
+    rows += [sorted(known.defaults) for known in fields.values()]
     digest = hash_of(map(repr, (*sorted(classes), *sorted(configs), *rows)))
     return _Defined(classes, configs, closed, fields, {package.name: package.middleware for package in packages}, digest)
 

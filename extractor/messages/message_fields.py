@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -13,14 +14,16 @@ from rosarch.extractor.workspace.model import ROS2, Package
 
 _TIMES = {"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"}
 _SAME_IN_BOTH = frozenset({"std_srvs"})
+_EMPTY = re.compile(r"[+-]?0*\.?0*|[Ff]alse|\"\"|''")
 _PARTS = {"request": ("Request",), "response": ("Response",), "service": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
 
 
 @dataclass(frozen=True)
 class MessageFields:
-    """Rows of `message_field` by the type of the message; what has no fields has none."""
+    """Rows of `message_field` by the type of the message; what has no fields has none. `defaults`: fields of some that begin otherwise."""
 
     rows: Mapping[str, tuple[tuple[str, str, str, str], ...]]
+    defaults: frozenset[str] = frozenset()
 
     @classmethod
     def of(cls, store: MessageStore | None, packages: Iterable[Package], middleware: str) -> MessageFields:
@@ -32,7 +35,9 @@ class MessageFields:
         known = [message for message in store.messages.values() if message.path not in doubtful and _package(message.name) not in twice]
         if middleware == ROS2:
             known = [message for message in known if not _of_ros1(message.path, message.name)]
-        return cls({message.name: _rows(message, middleware) for message in known})
+        fields = (field for message in store.messages.values() if middleware == ROS2 for field in message.fields)
+        defaults = frozenset(field.name for field in fields if field.default and not _EMPTY.fullmatch(field.default))
+        return cls({message.name: _rows(message, middleware) for message in known}, defaults)
 
     def used(self, classes: Iterable[tuple[str | int, ...]]) -> dict[str, set[tuple[str | int, ...]]]:
         """The facts about the messages that rows of `message_class` are of, and about those that they are made of."""

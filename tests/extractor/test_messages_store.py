@@ -189,3 +189,10 @@ def test_message_fields_of_ros2() -> None:
     assert ("std_msgs/Header", "stamp", "builtin_interfaces/Time", "one") in known.rows["std_msgs/Header"]
     assert "control_msgs/JointControllerState" not in known.rows  # it is that of ROS 1
     assert MessageFields.of(None, (), ROS1).rows == {}
+
+
+def test_defaults_of_fields(tmp_path: Path) -> None:
+    """Those that are neither zero nor empty; what ROS 1 would take for one is no definition."""
+    files = {"msg/Mode.msg": 'int32 mode 5\nint32 number 0\nfloat64 part 0.0\nbool on true\nstring name ""\nint32 plain\n'}
+    assert MessageFields.of(store_of(tmp_path, files), (), ROS2).defaults == {"mode", "on"}
+    assert MessageFields.of(store_of(tmp_path, files), (), ROS1).defaults == frozenset()

@@ -32,6 +32,7 @@ ELSEWHERE = {
     "source_lost": "tests/extractor/cxx/test_undefined_macros.py",
     "lost_call": "tests/extractor/cxx/test_undefined_macros.py",
     "module_member_absent": "tests/rules/packages/python_members/scripts/stock.py",
+    "message_default": "tests/rules/packages/message_defaults/scripts/teller.py",
     "call_misfits": "tests/rules/packages/python_calls/scripts/filler.py",
     # the configuration of a node, which no source has
     **dict.fromkeys(load_declarations(RULES / "schema" / "configuration.dl"), "tests/analysis/test_instances.py"),
