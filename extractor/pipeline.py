@@ -221,8 +221,8 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
     packages = workspace.packages
     fields = {kind: MessageFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}
     rows = [sorted(rows) for rows in closed.values()] + [sorted(known.rows.items()) for known in fields.values()]
-    rows += [sorted(known.defaults) for known in fields.values()]
-    digest = hash_of(map(repr, (*sorted(classes), *sorted(configs), *rows)))
+    defaults = [sorted(known.defaults) for known in fields.values()]
+    digest = hash_of(map(repr, (*sorted(classes), *sorted(configs), *rows, *defaults)))
     return _Defined(classes, configs, closed, fields, {package.name: package.middleware for package in packages}, digest)
 
 

@@ -59,7 +59,7 @@ class Built:
 
     def elsewhere(self, name: str) -> Iterator[tuple[str, Path, int]]:
         """Where the program `name` is installed that nobody looks for there: as which path, and by which command."""
-        for install in self.installs if name not in self.programs else ():
+        for install in () if self.has_program(name) else self.installs:
             if install.at:
                 yield from ((path, *install.at) for path in install.files_called(name))
 
@@ -68,6 +68,10 @@ class Built:
         return path.startswith(
             (f"lib/{self.name}/",) if self.build_type in INSTALLED_FIRST else (f"lib/{self.name}/", f"share/{self.name}/")
         )
+
+    def has_program(self, name: str) -> bool:
+        """Whether the program `name` may be installed where programs are looked for."""
+        return name in self.programs or self.brings(f"lib/{self.name}/{name}")
 
     @property
     def programs(self) -> frozenset[str]:

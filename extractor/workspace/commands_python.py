@@ -52,7 +52,7 @@ def _record(run: Evaluator, call: Call) -> None:
         names = [name for kind in ("FILES", "PROGRAMS", "DIRECTORY") for name in words.lists.get(kind, ()) if name]
         run.draft.installed_files.extend((run.source_path(name), *place) for name in names)
     for name in words.lists.get("TARGETS", ()):
-        run.draft.installed_targets.append((name, words.runtime or "bin", place))
+        run.draft.installed_targets.append((name, words.runtime or run.lookup("", "CMAKE_INSTALL_BINDIR") or "bin", place))
 
 
 def _scripts_below(folder: str) -> Iterator[str]:

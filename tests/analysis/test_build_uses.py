@@ -72,6 +72,8 @@ rosidl_generate_interfaces(${PROJECT_NAME} "msg/Step.msg"
         ("Step.msg", 3, "std_msgs"),
     ]
     assert one.interfaces_given == {"std_msgs"}
+    named = cmake.replace("DEPENDENCIES std_msgs", "DEPENDENCIES std_msgs LIBRARY_NAME steps ADD_LINTER_TESTS")
+    assert found(tmp_path / "e", named, **{"node.cpp": "", "msg/Step.msg": step}).interfaces_given == {"std_msgs"}
     catkin = "find_package(catkin REQUIRED)\nadd_message_files(FILES Step.msg)\ngenerate_messages(DEPENDENCIES {})"
     old = found(tmp_path / "c", catkin.format("std_msgs"), "catkin", **{"msg/Step.msg": step})
     assert (old.interfaces_given, old.includes, old.asks) == ({"std_msgs"}, (), ())

@@ -153,3 +153,31 @@ def test_a_library_that_may_be_called_so(tmp_path: Path) -> None:
         (demo / "CMakeLists.txt").write_text(f"add_library(part SHARED part.cpp)\n{more}{exports}ament_package()\n")
         found = build_rows(compose([demo / "a.launch"], files=Files(PackagePath([tmp_path]))), builds(discover(tmp_path)), tmp_path)
         assert {row[3] for row in found["library_misnamed"]} == expected, more
+
+
+def test_programs_whose_folder_the_build_says(tmp_path: Path) -> None:
+    """What CMAKE_INSTALL_BINDIR and folders that the build makes bring is where programs are looked for."""
+    launch = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='demo', executable='oven'), Node(package='demo', executable='pan')])
+"""
+    made = "install(TARGETS pan)\ninstall(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/made/ DESTINATION lib/demo)\n"
+    for name, text, elsewhere in (
+        ("set", "set(CMAKE_INSTALL_BINDIR lib/demo)\ninstall(TARGETS oven pan)\n", set()),
+        ("made", made, set()),
+        ("plain", "install(TARGETS pan)\n", {"bin/pan"}),
+    ):
+        root = tmp_path / name
+        (root / "demo").mkdir(parents=True)
+        (root / "demo" / "package.xml").write_text(MANIFEST.format("demo"))
+        programs = "add_executable(oven oven.cpp)\nadd_executable(pan pan.cpp)\n"
+        (root / "demo" / "CMakeLists.txt").write_text(f"project(demo)\n{programs}{text}ament_package()\n")
+        (root / "demo" / "oven.cpp").write_text("int main() {}\n")
+        (root / "demo" / "pan.cpp").write_text("int main() {}\n")
+        (root / "a.launch.py").write_text(launch)
+        composition = compose([root / "a.launch.py"], files=Files(PackagePath([root])))
+        found = build_rows(composition, builds(discover(root)), root)
+        assert {path for *_, path in found["program_installed_elsewhere"]} == elsewhere

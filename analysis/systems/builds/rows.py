@@ -103,7 +103,7 @@ def _file(rows: _Rows, root: str, file: str, package: Built) -> None:
 
 
 def _program(rows: _Rows, root: str, name: str, package: Built) -> None:
-    if os.path.basename(name) in package.programs:
+    if package.has_program(os.path.basename(name)):
         rows["program_installed"].add((package.name, name))
     for path, file, line in package.elsewhere(name):
         rows["program_installed_elsewhere"].add((_place(rows, root, file, line), package.name, name, path))

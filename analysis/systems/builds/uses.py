@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from collections.abc import Iterator, Sequence
@@ -17,7 +18,7 @@ from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SCOPES, SHARED
 _INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
 _TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
 _NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
-_OPTIONS = frozenset({"ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
+_OPTIONS = frozenset({"LIBRARY_NAME", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
 _OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
 
 
@@ -81,8 +82,9 @@ def _generated(package: Built) -> tuple[tuple[Use, ...], frozenset[str]]:
 
 
 def _dependencies(words: Sequence[str]) -> Sequence[str]:
-    """The packages that a call which generates interfaces is given: the last of its words."""
-    return [word for word in words[(*words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :] if word not in _OPTIONS]
+    """The packages that a call which generates interfaces is given."""
+    behind = itertools.takewhile(lambda word: word not in _OPTIONS, words[(*words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :])
+    return list(behind)
 
 
 def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:
