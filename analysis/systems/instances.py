@@ -63,11 +63,15 @@ class ModelIndex:
 
 @dataclass
 class Wants:
-    """Models that nodes need: of components, of plug-ins by the names that they are loaded by, and those that are needed by themselves."""
+    """Models that nodes need: of components, of plug-ins by the names that they are loaded by, and those that are needed by themselves.
+
+    `in_namespaces` are the configurations that are needed where code asks for the namespace, by the key of that without one.
+    """
 
     components: dict[Component, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
     plugins: dict[str, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
     alone: set[str] = field(default_factory=set)
+    in_namespaces: dict[str, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
 
 
 @dataclass(frozen=True)
@@ -150,7 +154,31 @@ class _Finder:
 
     def _model(self, component: Component, configuration: NodeConfiguration, *, asks: bool = False) -> ComponentModel | None:
         """The model of a component with a configuration; it is wanted when it is not there."""
-        return _sought(component, configuration, self.index.configured, self.wants.components, asks=asks)
+        return self._sought(component, configuration, self.index.configured, self.wants.components, asks=asks)
+
+    def _sought(
+        self,
+        key: _Key,
+        configuration: NodeConfiguration,
+        models: Mapping[tuple[_Key, str], ComponentModel],
+        wanted: dict[_Key, set[NodeConfiguration]],
+        *,
+        asks: bool = False,
+    ) -> ComponentModel | None:
+        """The model with a configuration, which has a namespace only where the code asks for it: nodes in others share their models.
+
+        It `asks` where that is known before there is such a model.
+        """
+        plain = replace(configuration, namespace=None)
+        found = None
+        for each in (configuration,) if asks else (plain, configuration):
+            found = models.get((key, each.key))
+            if found is None:
+                wanted[key].add(each)
+                self.wants.in_namespaces[plain.key].add(configuration)
+            if found is None or not found.asks_namespace:
+                break
+        return found
 
     def _told(self, model: ComponentModel, configuration: NodeConfiguration) -> tuple[tuple[str, str], ...]:
         """What functions return that a host asks its plug-ins for, where all of one base always return something known."""
@@ -208,7 +236,7 @@ class _Finder:
 
     def _plugin(self, name: str, configuration: NodeConfiguration) -> ComponentModel | None:
         """The model of a plug-in with a configuration; it is wanted when it is not there."""
-        return _sought(name, configuration, self.index.plugins, self.wants.plugins)
+        return self._sought(name, configuration, self.index.plugins, self.wants.plugins)
 
     def _inner(
         self,
@@ -240,28 +268,6 @@ class _Finder:
         if len(namespaces) != 1:
             return None
         return _renamed(node, inner.name, global_namespace(namespaces.pop()))
-
-
-def _sought(
-    key: _Key,
-    configuration: NodeConfiguration,
-    models: Mapping[tuple[_Key, str], ComponentModel],
-    wants: dict[_Key, set[NodeConfiguration]],
-    *,
-    asks: bool = False,
-) -> ComponentModel | None:
-    """The model with a configuration, which has a namespace only where the code asks for it: nodes in others share their models.
-
-    It `asks` where that is known before there is such a model.
-    """
-    found = None
-    for each in (configuration,) if asks else (replace(configuration, namespace=None), configuration):
-        found = models.get((key, each.key))
-        if found is None:
-            wants[key].add(each)
-        if found is None or not found.asks_namespace:
-            break
-    return found
 
 
 def _is_of(plugin: ComponentModel, base: str) -> bool:

@@ -305,7 +305,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
             break
         for key, configurations in wanted.items():
             tried[key] |= configurations
-        more = _more(wanted, analyzed)
+        more = _more(wanted, wants.in_namespaces, analyzed)
         models += more
         planner.index.add(more)
     by_themselves = planner.wants(made_by(models)).alone
@@ -332,7 +332,11 @@ _Key = str | tuple[str, str]
 """What a plug-in is loaded by, or package and name of a component."""
 
 
-def _more(wanted: Mapping[_Key, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
+def _more(
+    wanted: Mapping[_Key, Collection[NodeConfiguration]],
+    in_namespaces: Mapping[str, Collection[NodeConfiguration]],
+    analyzed: Callable[..., Analysis],
+) -> tuple[ComponentModel, ...]:
     """The models with the configurations that are wanted, of plug-ins and of the components that load them."""
     from rosarch.analysis.components import Wanted
     from rosarch.extractor.pipeline import ComponentFacts
@@ -342,10 +346,14 @@ def _more(wanted: Mapping[_Key, Collection[NodeConfiguration]], analyzed: Callab
         keys: tuple[_Key, ...] = (*names, (component.package, component.name))
         return sorted({each for key in keys for each in wanted.get(key, ())}, key=lambda found: found.key)
 
+    def after(models: Sequence[ComponentModel]) -> Iterable[NodeConfiguration]:
+        asking = {model.configuration for model in models if model.asks_namespace}
+        return sorted({each for key in asking for each in in_namespaces.get(key, ())}, key=lambda found: found.key)
+
     def is_wanted(component: Component) -> bool:
         return component.plugin_name in wanted or (component.package, component.name) in wanted
 
-    return analyzed(None, is_wanted, Wanted(first=first)).models
+    return analyzed(None, is_wanted, Wanted(first=first, after=after)).models
 
 
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
