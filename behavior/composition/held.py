@@ -49,7 +49,7 @@ class Held:
         """What the messages in a queue may hold, as texts, noted; nothing where nothing is known, or too much."""
         topic, unknown = self.system.inlet(end), (None,) * len(self.read[end])
         known: set[Content] = {
-            self._as_read(sender, end, _content(effect, sender[1]))
+            self._as_read(sender, end, effect.content(sender[1]))
             for sender in (topic.senders if topic else ())
             for trigger, effects in found.items()
             if trigger[0] == sender[0]
@@ -69,7 +69,7 @@ class Held:
             for reader in (end for topic in self.system.outlet((node, port)) for end in topic.receivers):
                 queue = queue_of.get(reader)
                 if queue is not None and queue in self.contents:
-                    own = self.contents[queue].index(self._as_read((node, port), reader, _content(effect, port)))
+                    own = self.contents[queue].index(self._as_read((node, port), reader, effect.content(port)))
                     found.setdefault(queue, set()).add(own)
         return tuple((queue, min(own) if len(own) == 1 else 0) for queue, own in sorted(found.items()))
 
@@ -101,9 +101,3 @@ class Held:
         return tuple(
             as_read(known[path], sent_by, subject.values, read_by) if path in known else None for subject, path in self.read[reader].items()
         )
-
-
-def _content(effect: Effect, port: str) -> Mapping[str, str]:
-    """What is known about the message that goes through a port: nothing where several differ."""
-    found = [dict(content) for name, content in effect.contents if name == port]
-    return found[0] if found and all(content == found[0] for content in found) else {}

@@ -58,6 +58,11 @@ class Effect:
     rows: tuple[Row, ...]
     contents: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
 
+    def content(self, port: str) -> Mapping[str, str]:
+        """What is known about the message that goes through a port, by the paths of its fields: nothing where several differ."""
+        found = [dict(content) for name, content in self.contents if name == port]
+        return found[0] if found and all(content == found[0] for content in found) else {}
+
 
 @dataclass(frozen=True)
 class _Run:
@@ -129,9 +134,11 @@ def effects(steps: Sequence[Step], variables: Collection[str], pick: Pick, field
     return [replace(run.effect, choices=min(run.ways, key=len)) for run in runs]
 
 
-def react(steps: Sequence[Step], values: Mapping[str, str], choose: Callable[[Subject], str]) -> Effect:
-    """The way that a reaction goes from these values of all variables, where `choose` decides everything else."""
-    run = _Run(values=values)
+def react(
+    steps: Sequence[Step], values: Mapping[str, str], choose: Callable[[Subject], str], fields: Mapping[str, str] | None = None
+) -> Effect:
+    """The way that a reaction goes from these values of all variables, where `choose` decides everything else. `fields`: see `effects`."""
+    run = _Run(values={**values, **(fields or {})}, fields=frozenset(fields or ()))
     for step in steps:
         run = next(_outcomes(run, step, (), lambda subject: (choose(subject),)))
     return run.effect

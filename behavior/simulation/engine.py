@@ -15,6 +15,7 @@ from itertools import count
 import simpy
 
 from rosarch.behavior.composition.components import Component, content_path
+from rosarch.behavior.composition.contents import as_read
 from rosarch.behavior.composition.inputs import Entry
 from rosarch.behavior.composition.reactions import Effect, react
 from rosarch.behavior.composition.scenario import Scenario, Span
@@ -39,11 +40,15 @@ class TooManyEventsError(Exception):
 
 @dataclass(frozen=True)
 class Message:
-    """A message on its way; `origins` are the topics and times of what it comes from."""
+    """A message on its way; `origins` are the topics and times of what it comes from, `fields` what is known about its contents.
+
+    `names` are the numbers and texts that names stand for where it was sent; None for one from outside.
+    """
 
     topic: str
     origins: Mapping[str, float]
     fields: Mapping[str, str] = field(default_factory=dict)
+    names: Mapping[str, str] | None = None
 
 
 @dataclass
@@ -191,12 +196,12 @@ class _Run:
         """What comes of it; where time since the last message decides, the lots that are drawn are those that agree with it."""
         steps, choose = node.component.steps.get(trigger, ()), partial(self._chosen, node, message)
         if trigger not in node.component.gaps:
-            return react(steps, node.values, choose)
+            return react(steps, node.values, choose, node.component.fields)
         port, gap = node.component.gaps[trigger]
         due = self.environment.now - node.sent.get(port, -gap) >= gap - _INSTANT
         guessed = self.record.guessed.copy()
         for _ in range(_MOST_LOTS):
-            effect = react(steps, node.values, choose)
+            effect = react(steps, node.values, choose, node.component.fields)
             if (port in effect.sent) == due:
                 self.record.guessed = guessed
                 break
@@ -219,8 +224,12 @@ class _Run:
     def _chosen(self, node: _Node, message: Message | None, subject: Subject) -> str:
         """What a condition finds that is not about variables: the content of the message, else by chance."""
         path = content_path(subject.text, node.component.members)
-        if message and path and path in message.fields and (value := value_in(message.fields[path], subject.values)) is not None:
-            return value
+        known = message.fields.get(path, message.fields.get(path.removeprefix("request."))) if message and path else None
+        if message and known is not None:
+            values, names = subject.values, message.names
+            value = value_in(known, values) if names is None else as_read(known, names, values, node.component.constants)
+            if value is not None:
+                return value
         chance = self.scenario.chances.get((node.name, spaced(subject.text)))
         if chance is not None and subject.values == BOOLEAN:
             return BOOLEAN[self.random.random() >= chance]
@@ -242,7 +251,9 @@ class _Run:
             node.sent[port] = start
             for topic in self.system.outlet((node.name, port)) * node.component.repeats.get((trigger, port), 1):
                 self._record(Event(now, "sent", node.name, topic.name, ", ".join(f"{n}" for n, _ in topic.receivers)))
-                self._deliver(Message(topic.name, self._origins(node, message, (node.name, port), topic.name)))
+                fields = {path.removeprefix("request."): value for path, value in effect.content(port).items()}
+                origins = self._origins(node, message, (node.name, port), topic.name)
+                self._deliver(Message(topic.name, origins, fields, node.component.constants))
 
     def _origins(self, node: _Node, message: Message | None, end: End, topic: str) -> Mapping[str, float]:
         """What a message comes from: the one that is answered, or those kept since they came, else nothing but itself."""

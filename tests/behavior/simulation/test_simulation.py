@@ -131,6 +131,23 @@ def test_the_content_of_messages_decides() -> None:
     assert not record.guessed
 
 
+@pytest.mark.parametrize(("value", "expected"), [("Mode::HIGH", 100), ("Mode::LOW", 0)])
+def test_what_senders_put_into_messages_decides(value: str, expected: int) -> None:
+    """The sender says it by a name, the reader by a number."""
+    sent = {
+        "sent": [["p1", "loop.cpp:12", "1"]],
+        "rounds": [["p1", "loop.cpp:12", "loop.cpp:9", None]],
+        "kinds": [["1", "level", "int"]],
+        "constants": [["LOW", "1"], ["HIGH", "2"]],
+        "fillings": [
+            {"message": "1", "path": "level", "value": value, "trigger": ["periodic"], "timed_by": ["loop.cpp:9"], "at": "loop.cpp:11"}
+        ],
+    }
+    record = run({"sender": loop("/a", 10.0, contents=sent), "filter": relay("/a", "/b", when="msg->level == 2")})
+    assert number(record, "/b") == expected
+    assert not record.guessed
+
+
 @pytest.mark.parametrize(("chance", "least", "most"), [("0", 0, 0), ("0.25", 200, 300), ("1", 1000, 1000)])
 def test_chances_of_conditions(chance: str, least: int, most: int) -> None:
     scenario = f"inputs: [{{topic: /a, every: 0.01}}]\nconditions: {{filter: {{isFar(): {chance}}}}}"
