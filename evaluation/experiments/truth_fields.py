@@ -88,7 +88,7 @@ LISTS: Mapping[str, Fields] = {
     "ports": Fields(("id", "kind"), {
         "id": _name, "kind": _name, "name": _text, "from_param": _text, "type": _text, "alt_types": _each(_name), "queue": _INTEGER,
         "queue_from_param": _text, "latched": _FLAG, "callback": _text, "via": _text, "at_alt": _either(_place), "implicit": _FLAG,
-        "unknown": _text, "node": _text, "qos": _anything, **_CONDITION, **_ALL,
+        "unknown": _text, "node": _text, "qos": _anything, "inside": _either(_place), "in_namespace": _text, **_CONDITION, **_ALL,
     }),
     "params": Fields(("name",), {"name": _name, "op": _name, "type": _text, "default": _anything, **_ALL}),
     "periodic": Fields((), {
