@@ -103,7 +103,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
 
 
 class Messages:
-    """What the document knows of the messages that are sent."""
+    """What the document says about the messages that are sent."""
 
     def __init__(self, document: Document) -> None:
         contents = document.get("contents") or {}

@@ -156,7 +156,7 @@ def test_a_relation_is_overridden_and_told(rosarch: Run, examples: Path, tmp_pat
     done = rosarch("query", examples / "docking_states", "state_variable(V)", "--rules", rules, "-c", "docking")
     assert done.out.splitlines()[2:] == ["auto_docking::Docking::bearing_", "auto_docking::Docking::state_", "2 rows"]
     assert done.err == (
-        f"rosarch: {rules}/all.dl:1:9: `state_variable` is overridden: 3 clauses of rules/variants/state-variable/data-flow.dl dropped\n"
+        f"rosarch: {rules}/all.dl:1:9: `state_variable` is overridden: 4 clauses of rules/variants/state-variable/data-flow.dl dropped\n"
     )
     done = rosarch("analyze", examples / "docking_states", "--rules", rules, "--out", tmp_path / "out")
     told = json.loads((tmp_path / "out" / "rules.json").read_text(encoding="utf-8"))
