@@ -192,6 +192,7 @@ def _told_once(models: Iterable[ComponentModel]) -> tuple[ComponentModel, ...]:
     for model in models:
         own = [each for each in model.left_out if (each.at.path, each.at.line) not in seen]
         seen.update((each.at.path, each.at.line) for each in own)
+        # the same object where nothing goes, so that it keeps the rhythms that were found for it
         told.append(replace(model, left_out=tuple(own)) if len(own) < len(model.left_out) else model)
     return tuple(told)
 
