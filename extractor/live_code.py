@@ -135,7 +135,8 @@ class _Program:
         if any(row[2] == LIBRARY for row in own.get("component", ())):
             self.reach(self.declared.defined)
         for (name,) in self.declared.entry_classes(own):
-            self.mention_name(REGISTERS_TREE_NODES)
+            for function in REGISTERS_TREE_NODES:
+                self.mention_name(function)
             self.mention_classes([str(name)])
             self.mention_types(self.declared.aliased.get(str(name), ()))
 

@@ -94,9 +94,11 @@ _MACRO = re.compile(
 
 TREE_NODE = "BT::TreeNode"
 """The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register under the names that trees use."""
-REGISTERS_TREE_NODES = "BT_RegisterNodesFromPlugin"
-"""The function of a library that registers them; `BT_REGISTER_NODES` begins it."""
-_TREE_NODE = re.compile(r"\bregister(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(\s*\"([^\"\n]+)\"")
+REGISTERS_TREE_NODES = ("BT_RegisterNodesFromPlugin", "BT_RegisterRosNodeFromPlugin")
+"""The functions of a library that register them: `BT_REGISTER_NODES` begins one, `CreateRosNodePlugin` of BehaviorTree.ROS2 the other."""
+_TREE_NODE = re.compile(
+    r"\b(?:register(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(|CreateRosNodePlugin\s*\(\s*([\w:]+)\s*,)\s*\"([^\"\n]+)\""
+)
 
 
 def registrations(path: Path) -> list[Registration]:
@@ -105,14 +107,14 @@ def registrations(path: Path) -> list[Registration]:
 
 
 def _registrations(text: str, path: Path) -> list[Registration]:
-    of_tree = any(word in text for word in ("BT_REGISTER_NODES", REGISTERS_TREE_NODES))
+    of_tree = any(word in text for word in ("BT_REGISTER_NODES", "CreateRosNodePlugin", *REGISTERS_TREE_NODES))
     if not of_tree and not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
         return []
     text = _CODE_COMMENT.sub(_blank, text)
     found = [found for match in _MACRO.finditer(text) if (found := _registration(match, text, path))]
     for match in _TREE_NODE.finditer(text) if of_tree else ():
         line = text.count("\n", 0, match.start()) + 1
-        found.append(Registration(_plain(match.group(1)), TREE_NODE, path, line, match.group(2)))
+        found.append(Registration(_plain(match.group(1) or match.group(2)), TREE_NODE, path, line, match.group(3)))
     return found
 
 

@@ -139,6 +139,75 @@ MAIN = """<root BTCPP_format="4" main_tree_to_execute="Main">
 """
 OTHER = """<root BTCPP_format="4"><BehaviorTree ID="Other"><Sequence><Ready topic="/go"/><Clear service_name="{far}"/><Dance/></Sequence></BehaviorTree></root>
 """
+ROS_LEAVES = """#include "behaviortree_ros2/bt_service_node.hpp"
+#include "behaviortree_ros2/bt_topic_pub_node.hpp"
+#include "behaviortree_ros2/plugins.hpp"
+#include "std_msgs/msg/bool.hpp"
+#include "std_srvs/srv/set_bool.hpp"
+class Fan : public BT::RosServiceNode<std_srvs::srv::SetBool> {
+public:
+  Fan(const std::string & name, const BT::NodeConfig & conf, const BT::RosNodeParams & params)
+  : BT::RosServiceNode<std_srvs::srv::SetBool>(name, conf, params) {}
+  static BT::PortsList providedPorts() { return providedBasicPorts({BT::InputPort<bool>("data", "on or off")}); }
+  bool setRequest(typename Request::SharedPtr & request) override { return static_cast<bool>(getInput("data", request->data)); }
+  BT::NodeStatus onResponseReceived(const typename Response::SharedPtr &) override { return BT::NodeStatus::SUCCESS; }
+};
+CreateRosNodePlugin(Fan, "Fan");
+"""
+ROS_SENDER = """#include "behaviortree_ros2/bt_topic_pub_node.hpp"
+#include "behaviortree_ros2/plugins.hpp"
+#include "std_msgs/msg/bool.hpp"
+class Say : public BT::RosTopicPubNode<std_msgs::msg::Bool> {
+public:
+  using BT::RosTopicPubNode<std_msgs::msg::Bool>::RosTopicPubNode;
+  bool setMessage(std_msgs::msg::Bool & msg) override { msg.data = true; return true; }
+};
+BTCPP_EXPORT void BT_RegisterRosNodeFromPlugin(BT::BehaviorTreeFactory & factory, const BT::RosNodeParams & params)
+{
+  factory.registerNodeType<Say>("Say", params);
+}
+"""
+ROS_RUNNER = """#include "behaviortree_ros2/plugins.hpp"
+class Runner : public rclcpp::Node {
+public:
+  Runner() : rclcpp::Node("runner") { declare_parameter("tree", ""); }
+  void start()
+  {
+    BT::RosNodeParams params;
+    params.nh = shared_from_this();
+    RegisterRosNode(factory_, BT::SharedLibrary::getOSName("fan"), params);
+    RegisterRosNode(factory_, BT::SharedLibrary::getOSName("say"), params);
+    factory_.registerBehaviorTreeFromFile(get_parameter("tree").as_string());
+    tree_ = factory_.createTree("Main");
+  }
+private:
+  BT::BehaviorTreeFactory factory_;
+  BT::Tree tree_;
+};
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<Runner>();
+  node->start();
+  rclcpp::spin(node);
+}
+"""
+ROS_TREE = """<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
+  <Fan service_name="fan/enable" data="true"/><Fan service_name="fan/boost" data="true"/><Say topic_name="/warm"/>
+</Sequence></BehaviorTree></root>
+"""
+ROS_CMAKE = """cmake_minimum_required(VERSION 3.8)
+project(trees)
+find_package(ament_cmake REQUIRED)
+foreach(leaf fan say)
+  add_library(${leaf} SHARED src/${leaf}.cpp)
+  ament_target_dependencies(${leaf} rclcpp behaviortree_cpp behaviortree_ros2 std_msgs std_srvs)
+endforeach()
+add_executable(runner src/runner.cpp)
+ament_target_dependencies(runner rclcpp behaviortree_cpp behaviortree_ros2)
+install(TARGETS runner DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
 LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node
 def generate_launch_description():
@@ -146,9 +215,12 @@ def generate_launch_description():
 """
 
 
-def _system(folder: Path, client: str = OWN, parameters: str = "", trees: dict[str, str] | None = None) -> SystemModel:
+def _system(
+    folder: Path, client: str = OWN, parameters: str = "", trees: dict[str, str] | None = None, others: dict[str, str] | None = None
+) -> SystemModel:
     files = {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "src/leaves.cpp": LEAVES, "src/runner.cpp": RUNNER.replace("CLIENT", client)}
     files |= {f"trees/{name}": text for name, text in (trees or {"main.xml": MAIN, "other.xml": OTHER}).items()}
+    files |= others or {}
     files["launch/all.launch.py"] = LAUNCH.replace("PARAMETERS", parameters)
     for name, text in files.items():
         path = folder / name
@@ -194,6 +266,19 @@ def test_a_parameter_chooses_the_tree(tmp_path: Path) -> None:
 def test_a_tree_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     system = _system(tmp_path, trees={"main.xml": "<root><BehaviorTree>"})
     assert {part.reason for part in system.unseen} == {"not all of the behavior tree was read: package://trees/trees/main.xml"}
+
+
+@pytest.mark.slow
+def test_leaves_of_behaviortree_ros2_have_the_ports_that_the_tree_names(tmp_path: Path) -> None:
+    others = {"CMakeLists.txt": ROS_CMAKE, "src/runner.cpp": ROS_RUNNER, "src/fan.cpp": ROS_LEAVES, "src/say.cpp": ROS_SENDER}
+    file = ", parameters=[{'tree': '" + str(tmp_path / "trees/main.xml") + "'}]"
+    system = _system(tmp_path, parameters=file, trees={"main.xml": ROS_TREE}, others=others)
+    assert _ports(system, "/r1/robot") == {
+        ("service_client", "/r1/fan/enable"),
+        ("service_client", "/r1/fan/boost"),
+        ("publisher", "/warm"),
+    }
+    assert not any("tree" in part.reason for part in system.unseen)
 
 
 @pytest.mark.parametrize(
