@@ -311,9 +311,12 @@ class Evaluator:
         """The first branch whose condition holds. A test-only branch makes its targets tests.
 
         Where none holds, that counts for which the user sets an environment variable. A branch that leaves a `CMakeLists.txt` before it
-        makes any target does so because of what this machine lacks: the rest counts.
+        makes any target does so because of what this machine lacks, or because it builds other packages first and itself after these: the
+        rest counts, and so do the branches behind it.
         """
-        branches = statement.branches
+        self._run_branches(statement.branches)
+
+    def _run_branches(self, branches: Sequence[Branch]) -> None:
         chosen = next((one for one in branches if one.condition is None or self.holds(one.condition)), None)
         chosen = chosen or next((one for one in branches if one.condition is not None and self._is_unset(one.condition)), None)
         self._leave_out(other for other in branches if other is not chosen)
@@ -326,6 +329,7 @@ class Evaluator:
         except StopFile:
             if not self._leaves_nothing():
                 raise
+            self._run_branches(branches[branches.index(chosen) + 1 :])
         finally:
             self.testing -= testing
 

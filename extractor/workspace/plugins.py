@@ -95,7 +95,7 @@ _MACRO = re.compile(
 TREE_NODE = "BT::TreeNode"
 """The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register under the names that trees use."""
 REGISTERS_TREE_NODES = ("BT_RegisterNodesFromPlugin", "BT_RegisterRosNodeFromPlugin")
-"""The functions of a library that register them: `BT_REGISTER_NODES` begins one, `CreateRosNodePlugin` of BehaviorTree.ROS2 the other."""
+"""The functions of a library that register them: those of `BT_REGISTER_NODES` and of `CreateRosNodePlugin` of BehaviorTree.ROS2."""
 _TREE_NODE = re.compile(
     r"\b(?:register(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(|CreateRosNodePlugin\s*\(\s*([\w:]+)\s*,)\s*\"([^\"\n]+)\""
 )

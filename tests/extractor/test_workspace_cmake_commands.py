@@ -117,6 +117,7 @@ def test_conditions(tmp_path: Path, condition: str, value: bool) -> None:
         ("return()\nadd_executable(x a.cpp)", []),
         ("function(f)\nif(ON)\nreturn()\nendif()\nadd_executable(x a.cpp)\nendfunction()\nf()", []),
         ("include(guard.cmake)\nadd_executable(x a.cpp)", ["x"]),
+        ("if(ON)\nproject(SUPERBUILD NONE)\nreturn()\nelse()\nproject(demo)\nendif()\nadd_executable(${PROJECT_NAME}_x a.cpp)", ["demo_x"]),
     ],
 )
 def test_a_package_that_leaves_before_it_makes_a_target_is_read_on(tmp_path: Path, cmake: str, targets: list[str]) -> None:
