@@ -35,7 +35,7 @@ from rosarch.extractor.workspace.cmake_state import (
 from rosarch.extractor.workspace.cmake_syntax import Argument, Block, Branch, Command, If, Statement, blocks, parse
 from rosarch.extractor.workspace.installs import Unsure
 from rosarch.extractor.workspace.model import BuildCall
-from rosarch.extractor.workspace.options import Options, initial_environment, initial_variables, versions
+from rosarch.extractor.workspace.options import Options, initial_cache, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
 COMMANDS: dict[str, Handler] = {}
@@ -89,7 +89,8 @@ class Evaluator:
         self.versions = versions(distro)
         self.scope = Scope()
         self.scope.variables.update(initial_variables(distro, self.build))
-        self.cache: dict[str, str] = dict(options.defines)
+        self.cache: dict[str, str] = initial_cache(distro, options.defines)
+        self.prefix = self.cache["CMAKE_INSTALL_PREFIX"]
         self.environment = initial_environment(distro) | dict(options.environment)
         self.directory = Directory(folder, self.build, frozenset({os.path.realpath(folder)}))
         self.targets: dict[str, TargetDraft] = {}

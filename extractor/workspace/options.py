@@ -85,7 +85,6 @@ def initial_variables(distro: str, build: str) -> dict[str, str]:
         "CMAKE_STATIC_LIBRARY_PREFIX": "lib",
         "CMAKE_STATIC_LIBRARY_SUFFIX": ".a",
         "CMAKE_DL_LIBS": "dl",
-        "CMAKE_INSTALL_PREFIX": f"/opt/ros/{distro}",
         "CMAKE_ROOT": "/usr/share/cmake",
         "CMAKE_CFG_INTDIR": ".",
         "UNIX": "1",
@@ -94,6 +93,11 @@ def initial_variables(distro: str, build: str) -> dict[str, str]:
         "BUILD_TESTING": "1",
         **({"CATKIN_DEVEL_PREFIX": f"{build}/devel"} if distro in ROS1_DISTROS else {}),
     }
+
+
+def initial_cache(distro: str, defines: Mapping[str, str]) -> dict[str, str]:
+    """The cache of CMake before `CMakeLists.txt` runs: what is passed to it by option, as the tools that build workspaces do."""
+    return {"CMAKE_INSTALL_PREFIX": f"/opt/ros/{distro}", **defines}
 
 
 def initial_environment(distro: str) -> dict[str, str]:

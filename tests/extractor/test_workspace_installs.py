@@ -58,6 +58,7 @@ SHARED = [
     ("include(GNUInstallDirs)\ninstall(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/demo)", {"config/a.yaml", "config/a.txt"}),
     ("if(UNIX)\nelseif(BUILD_TESTING)\nadd_subdirectory(test)\nendif()", set()),
     ("pluginlib_export_plugin_description_file(base config/a.txt)", set()),
+    ("set(CMAKE_INSTALL_PREFIX out CACHE PATH text)\ninstall(DIRECTORY config DESTINATION ${CMAKE_INSTALL_PREFIX}/share/demo)", {"config/a.yaml", "config/a.txt"}),
 ]  # fmt: skip
 
 
@@ -85,6 +86,8 @@ def test_files_in_the_share_folder(tmp_path: Path, text: str, expected: set[str]
         ("ament_python_install_package(demo SCRIPTS_DESTINATION lib/demo)", "scripts of a Python package"),
         ("ament_auto_package(INSTALL_TO_SHARE ${FOLDERS})", "ament_auto_package() with something that is not known"),
         ("add_executable(node node.cpp)\nreturn()", "return() before the end"),
+        ("set(CMAKE_INSTALL_PREFIX ${CMAKE_SOURCE_DIR}/out)\ninstall(FILES a DESTINATION bin)", "CMAKE_INSTALL_PREFIX is set"),
+        ("install(FILES a DESTINATION bin)\nset(CMAKE_INSTALL_PREFIX out CACHE PATH text FORCE)", "CMAKE_INSTALL_PREFIX is set"),
     ],
 )
 def test_what_is_not_understood(tmp_path: Path, text: str, reason: str) -> None:
