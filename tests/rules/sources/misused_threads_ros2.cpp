@@ -34,6 +34,12 @@ public:
     double right = get_parameter("rate").as_double();
     declare_parameter<double>("scale", 1);
     right *= get_parameter("scale").as_double();
+    if (get_parameter("address", address) && get_parameter("scale", right)) {
+      RCLCPP_INFO(get_logger(), "set");
+    }
+    if (get_parameter("scale", right)) {
+      RCLCPP_INFO(get_logger(), "set");
+    }
     sync_ = std::make_shared<message_filters::Synchronizer<Policy>>(Policy(10), left_, right_);
     timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { tick(); });
     begun_ = now();
