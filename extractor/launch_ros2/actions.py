@@ -94,6 +94,7 @@ def visit(world: World, entity: Any, context: Context) -> None:
     elif isinstance(entity, Unknown):
         reason = f" ({entity.reason})" if entity.reason else ""
         world.interpreter.misunderstood(entity.place, f"what `{world.state.unknowns.render(entity.text)}` starts is not known{reason}")
+        context.put_unknown(world.as_text(entity))
 
 
 _NO_ACTIONS = (list, tuple, set, dict, str, int, float, Class, Constructor, Function, type(None))
@@ -326,7 +327,8 @@ def _declare(world: World, made: Made, context: Context) -> None:
     state.declared.append(ArgumentDeclared(context.file, name, None, default, state.here))
     if name not in context.configurations:
         if default is None:
-            state.report(must_be_passed(name))
+            if not context.may_have(name):
+                state.report(must_be_passed(name))
             default = state.unknowns.mark(f"$(var {name})", context.file)
         context.give(name, default, state.here)
     elif default is not None:

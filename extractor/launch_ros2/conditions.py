@@ -62,7 +62,7 @@ def _compared(world: World, condition: Made, context: Context) -> bool | Conditi
     name = world.as_text(condition.get("launch_configuration_name"))
     expected = condition.get("expected_value")
     if name not in context.configurations:
-        return (expected is None) is wanted
+        return _open(world, f"$(var {name})", wanted) if context.may_have(name) else (expected is None) is wanted
     value, other = context.configurations[name], perform(world, expected, context)
     if value == other:
         return wanted

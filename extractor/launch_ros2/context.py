@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place, Remap, exclusive
+from rosarch.extractor.launch.unknowns import is_known
 
 _ALWAYS_SET = frozenset({"AMENT_PREFIX_PATH", "HOME", "HOSTNAME", "LANG", "PATH", "PWD", "PYTHONPATH", "ROS_DISTRO", "SHELL", "USER"})
 
@@ -121,6 +122,14 @@ class Context:
         """Set configurations, for all that follows."""
         self.configurations.update(values)
         self.origins = {name: origin for name, origin in self.origins.items() if name not in values}
+
+    def put_unknown(self, mark: str) -> None:
+        """Note that configurations are set of which neither names nor values are known: `mark` stands for them."""
+        self.configurations[mark] = mark
+
+    def may_have(self, name: str) -> bool:
+        """Whether a configuration is set, or one is whose name is not known, which may be this one."""
+        return name in self.configurations or not all(map(is_known, self.configurations))
 
     def give(self, name: str, value: str, place: Place, *includes: Place) -> None:
         """Set an argument, for this file or for one that it includes."""

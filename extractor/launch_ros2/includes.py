@@ -64,6 +64,7 @@ def _include(world: World, made: Made, context: Context) -> None:
     lines = (*context.lines, place)
     state.includes.append(Include(path, file if entities is not None else None, lines, context.conditions, passes_all=True))
     if file is None or entities is None:
+        context.put_unknown(state.unknowns.mark(f"$(arguments of {state.unknowns.render(path)})", place))
         return
     before = len(state.declared), len(world.asked), len(state.includes), len(state.unread)
     with context.included(file, place):

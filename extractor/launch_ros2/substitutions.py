@@ -122,7 +122,7 @@ def _configuration(world: World, made: Made, context: Context) -> str:
         return context.namespace
     if "default" in made.arguments and made.arguments["default"] is not None:
         return perform(world, _shown(made.arguments["default"]), context)
-    if not _is_open(world, name, *context.configurations):  # one whose name is not known may be this one
+    if not _is_open(world, name) and not context.may_have(name):
         world.state.report(LaunchError("configuration", name, f"launch configuration `{name}` is not set"))
     return _mark(world, f"$(var {_rendered(world, name)})", context.file)
 

@@ -109,6 +109,30 @@ def test_arguments_that_are_wrong(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "before",
+    [
+        "*unseen.ACTIONS",
+        "unseen.action()",
+        "IncludeLaunchDescription(PythonLaunchDescriptionSource(unseen.path()))",
+        "OpaqueFunction(function=unseen.setup)",
+    ],
+)
+def test_what_is_not_seen_may_set_arguments(tmp_path: Path, before: str) -> None:
+    entities = (
+        "node('n', name=LaunchConfiguration('a')), DeclareLaunchArgument('b'), node('m', condition=LaunchConfigurationEquals('c', 'x'))"
+    )
+    first = described(tmp_path / "first", f"{entities}, {before}", "import unseen")
+    assert [problem.partition(": ")[2] for problem in problems(first, tmp_path)][:2] == [
+        "launch configuration `a` is not set",
+        "argument `b` must be passed, it has no default",
+    ]
+    assert names(first) == ["/$(var a)"]
+    found = described(tmp_path / "after", f"{before}, {entities}", "import unseen")
+    assert not [problem for problem in problems(found, tmp_path) if "is not set" in problem or "must be passed" in problem]
+    assert names(found) == ["/$(var a)", "/m if $(var c)"]
+
+
+@pytest.mark.parametrize(
     ("entities", "expected"),
     [
         # the default of one file, and what one is passed, are left to the next
