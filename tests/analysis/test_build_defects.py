@@ -98,7 +98,6 @@ def test_what_comes_after_catkin_package(tmp_path: Path) -> None:
     assert found("b", late) == [
         (5, "after catkin_package", "generate_messages"),
         (6, "after catkin_package", "generate_dynamic_reconfigure_options"),
-        (7, "after catkin_package", "catkin_python_setup"),
     ]
     # in another file, or in one of two branches
     assert found("c", "catkin_package()\nadd_subdirectory(msg)", **{"msg/CMakeLists.txt": "\n\n\ngenerate_messages()"}) == []

@@ -15,8 +15,8 @@ from rosarch.extractor.workspace.built import Built
 from rosarch.extractor.workspace.installs import line_with
 
 _ADDED = {"msg": "add_message_files", "srv": "add_service_files", "action": "add_action_files"}
-_BEFORE_EXPORT = ("generate_messages", "generate_dynamic_reconfigure_options", "catkin_python_setup")
-"""What stops CMake where catkin_package() was called before it, in all versions of genmsg, dynamic_reconfigure and catkin."""
+_BEFORE_EXPORT = ("generate_messages", "generate_dynamic_reconfigure_options")
+"""What stops CMake where catkin_package() was called before it, in all versions of genmsg and dynamic_reconfigure."""
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*([\w/]+)(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
 _BASIC = re.compile(r"bool|byte|char|w?string|float(?:32|64)|u?int(?:8|16|32|64)")
