@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,10 +22,14 @@ _MAKING_NAMES = frozenset({"globals", "exec", "eval", "setattr", "vars", "locals
 
 @dataclass(frozen=True)
 class Lack:
-    """What an entry point needs and the package lacks: a module, a function, or that the module is installed (left-out)."""
+    """What an entry point needs and the package lacks: a module, a function, or that the module is installed (left-out).
+
+    Of a module that is not installed, `part` is the package of Python that is left out.
+    """
 
     point: EntryPoint
     what: str
+    part: str = ""
 
 
 def lacks(package: Package) -> Iterator[Lack]:
@@ -42,8 +46,8 @@ def lacks(package: Package) -> Iterator[Lack]:
             if file is None:
                 if not _is_made(point.module, root):
                     yield Lack(point, "module")
-            elif not _is_installed(point.module, file, package.python_packages):
-                yield Lack(point, "left-out")
+            elif package.python_packages is not None and (part := _part(point.module, file)) not in package.python_packages:
+                yield Lack(point, "left-out", part)
             elif not _has(file, point.function.partition(".")[0]):
                 yield Lack(point, "function")
 
@@ -70,10 +74,9 @@ def _is_made(module: str, root: Path) -> bool:
     return any(name.startswith(f"{base.name}.") and name.endswith(_OTHER_MODULES) for name in names)
 
 
-def _is_installed(module: str, file: Path, packages: Collection[str] | None) -> bool:
-    if packages is None:
-        return True
-    return (module if file.name == "__init__.py" else module.rpartition(".")[0]) in packages
+def _part(module: str, file: Path) -> str:
+    """The package of Python that a module in a file is, or is in."""
+    return module if file.name == "__init__.py" else module.rpartition(".")[0]
 
 
 def _has(file: Path, name: str) -> bool:

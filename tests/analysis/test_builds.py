@@ -93,7 +93,7 @@ def test_rows(tmp_path: Path) -> None:
     assert {row[2:] for row in found["entry_point"]} == {(name, module, "main") for name, module in POINTS}
     assert found["entry_function_absent"] == {("kitchen", "kitchen.cook", "main")}
     assert found["entry_module_absent"] == {("kitchen", "kitchen.bake")}
-    assert found["entry_module_left_out"] == {("kitchen", "kitchen.stove.boil")}
+    assert found["entry_module_left_out"] == {("kitchen", "kitchen.stove.boil", "kitchen.stove")}
     assert found["component_promised"] == {("demo/CMakeLists.txt:4:1", "demo", "part", "demo::Part")}
     assert found["class_registered"] == {("demo", "part", "demo::Other"), ("demo", "part", "demo::plugins")}
     assert found["library_misnamed"] == {("demo/plugins.xml:1:1", "demo", "plugins", "part", "demo::plugins")}

@@ -123,8 +123,10 @@ def _entry_points(rows: _Rows, root: str, package: Built) -> None:
         module, function = lack.point.module, lack.point.function
         if lack.what == "function":
             rows["entry_function_absent"].add((package.name, module, function))
+        elif lack.what == "module":
+            rows["entry_module_absent"].add((package.name, module))
         else:
-            rows["entry_module_absent" if lack.what == "module" else "entry_module_left_out"].add((package.name, module))
+            rows["entry_module_left_out"].add((package.name, module, lack.part))
 
 
 def _place(rows: _Rows, root: str, path: Path, line: int) -> str:
