@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from operator import attrgetter
 from pathlib import Path
@@ -161,7 +161,22 @@ def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:
     alike: dict[tuple[str, str, Place], list[Finding]] = defaultdict(list)
     for finding in sorted(found, key=lambda finding: finding.message):
         alike[finding.check.id, finding.fault or finding.message, finding.place].append(finding)
-    return tuple(sorted(map(_joined, alike.values()), key=lambda finding: (finding.place, finding.check.id, finding.message)))
+    once = _of_configurations(sorted(map(_joined, alike.values()), key=attrgetter("place")))
+    return tuple(sorted(once, key=lambda finding: (finding.place, finding.check.id, finding.message)))
+
+
+def _of_configurations(found: Iterable[Finding]) -> Iterator[Finding]:
+    """Findings about one node, one where no two of them are in one system: there, another configuration has it at another line."""
+    same: dict[tuple[str, str, str], list[Finding]] = defaultdict(list)
+    for finding in found:
+        same[finding.check.id, finding.message, finding.place.path].append(finding)
+    for alike in same.values():
+        systems = [system for one in alike for system in one.systems]
+        if len(alike) == 1 or not alike[0].node or len(set(systems)) < len(systems):
+            yield from alike
+        else:
+            evidence = tuple(dict.fromkeys([*alike[0].evidence, *(one.evidence[0] for one in alike)]))
+            yield replace(_joined(alike), evidence=evidence)
 
 
 def _joined(alike: Sequence[Finding]) -> Finding:

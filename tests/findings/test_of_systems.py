@@ -101,3 +101,18 @@ def test_a_finding_of_several_nodes_by_one_line_is_one() -> None:
 
     merged = _together([finding_of("/b"), finding_of("/a"), finding_of("/c"), finding_of("/a", "waits"), finding_of("/b", line=2)])
     assert [(each.message, each.place.line) for each in merged] == [("/a is late (also: /b, /c)", 1), ("/a waits", 1), ("/b is late", 2)]
+
+
+def test_a_finding_of_several_configurations_of_one_node_is_one() -> None:
+    def finding_of(line: int, system: str, node: str = "/a", path: str = "a.cpp") -> Finding:
+        return Finding(CHECK, "error", f"{node} is late", (Evidence("", Place(path, line, 1)),), (system,), (), node, " is late")
+
+    merged = _together([finding_of(2, "s"), finding_of(1, "t"), finding_of(1, "t", path="b.cpp"), finding_of(1, "s", "/b", "b.cpp")])
+    assert [(each.message, str(each.place), each.systems) for each in merged] == [
+        ("/a is late", "a.cpp:1", ("s", "t")),
+        ("/a is late (also: /b)", "b.cpp:1", ("s", "t")),
+    ]
+    assert [each.place.line for each in merged[0].evidence] == [1, 2]
+    # two lines of one system are two faults, as are those of findings that are about no node
+    assert len(_together([finding_of(2, "s"), finding_of(1, "s"), finding_of(1, "t")])) == 2
+    assert len(_together([replace(finding_of(2, "s"), node="", fault=""), replace(finding_of(1, "t"), node="", fault="")])) == 2
