@@ -6,8 +6,9 @@ import os
 import re
 import sys
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from glob import escape, glob
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,9 @@ _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _FILE = re.compile(r"\$\(find\s+([\w-]+)\)|\bpackage://([\w-]+)/")
 _MESSAGES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
 _INTERFACES = frozenset({"msg", "srv", "action"})
-_SOURCES = (".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
+_COMPILED = (".cpp", ".cc", ".cxx")
+_SOURCES = (*_COMPILED, ".hpp", ".h", ".hh")
+_LISTED_BY_PATTERN = re.compile(r"\bGLOB|aux_source_directory|[*}][\w./-]*\.(?:cpp|cc|cxx)\b", re.IGNORECASE)
 _TESTS = ("test_dep", "doc_dep", "group_dep", "member_of")
 _OTHER_USE = NO_PACKAGES | {"doc", "docs", "build", "cmake"}
 
@@ -149,6 +152,7 @@ def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator
     seen: set[str] = set()
     own: set[str] = set()
     found: list[Need] = []
+    builds = glob(f"{escape(folder)}/cmake/*.cmake")
     for here, folders, names in os.walk(folder):
         folders[:] = sorted(
             name for name in folders if not name.startswith(".") and name not in _OTHER_USE and f"{here}/{name}" not in packages
@@ -156,14 +160,26 @@ def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator
         own.update(folders)
         for name in sorted(names):
             own.add(name.partition(".")[0])
+            if name == "CMakeLists.txt":
+                builds.append(f"{here}/{name}")
             reader = next((reader for ends, reader in _READERS if name.endswith(ends)), None)
             if reader is not None and name != "setup.py":
                 path = f"{here}/{name}"
                 found += (Need(used, how, path, line) for used, how, line in reader(text_or_nothing(path)) if used not in depends)
+    is_built = _building(builds)
     for need in found:
-        if need.name not in own and need.name not in seen:
+        if need.name not in own and need.name not in seen and is_built(need.path):
             seen.add(need.name)
             yield need
+
+
+def _building(files: Sequence[str]) -> Callable[[str], bool]:
+    """Whether CMake may build a source: none that its `files` do not mention, unless they name no sources or name some by a pattern."""
+    text = "\n".join(map(text_or_nothing, files))
+    if not text or _LISTED_BY_PATTERN.search(text):
+        return lambda _: True
+    words = frozenset(re.findall(r"\w+", text))
+    return lambda path: not path.endswith(_COMPILED) or words.issuperset(re.findall(r"\w+", os.path.basename(path).rpartition(".")[0]))
 
 
 _Use = tuple[str, str, int]

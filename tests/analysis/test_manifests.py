@@ -70,6 +70,22 @@ def test_headers(tmp_path: Path) -> None:
     assert needs(declared(tmp_path), "robot") == {("nav_msgs", "header", 4), ("driver", "header", 9), ("on", "header", 4)}
 
 
+@pytest.mark.parametrize(
+    ("cmake", "expected"),
+    [
+        ("add_executable(b src/b.cpp)", {"b"}),
+        ("set(names b)\nadd_executable(b src/${names}.cpp)", {"a", "b"}),
+        ("file(GLOB all src/*.cpp)", {"a", "b"}),
+        ("aux_source_directory(src all)", {"a", "b"}),
+        ("foreach(one a b)\nadd_part(${one})\nendforeach()", {"a", "b"}),
+        ("", {"a", "b"}),
+    ],
+)
+def test_sources_that_nothing_builds(tmp_path: Path, cmake: str, expected: set[str]) -> None:
+    package(tmp_path, "robot", **{f"src/{name}.cpp": f"#include <for_{name}/x.h>\n" for name in "ab"}, **{"CMakeLists.txt": cmake})
+    assert needs(declared(tmp_path), "robot") == {(f"for_{name}", "header", 1) for name in expected}
+
+
 def test_rows(tmp_path: Path) -> None:
     model = '<mesh filename="package://meshes/a.dae"/> <!-- package://old/b.dae -->\n$(find driver)'
     launch = '<launch><include file="$(find driver)/a.launch"/></launch>'
