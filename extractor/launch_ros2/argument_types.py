@@ -12,8 +12,8 @@ from typing import Any
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.values import MORE, Made
 
-_NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
-_PROCESSES = _NODES | {"ExecuteProcess", "ExecuteLocal"}
+NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+_PROCESSES = NODES | {"ExecuteProcess", "ExecuteLocal"}
 _OF_PROCESSES = frozenset({"OnProcessExit", "OnProcessStart", "OnProcessIO", "OnExecutionComplete"})
 _REQUIRED = {  # by any of their names
     "Node": (("executable", "node_executable"),),
@@ -28,7 +28,7 @@ RENAMED = {"node_executable": "executable", "node_name": "name", "node_namespace
 WITH_OLD_NAMES = frozenset({"dashing", "eloquent", "foxy"})
 TYPES: dict[str, type] = {"str": str, "int": int, "float": float, "bool": bool}
 """The types that a scalar parameter can be said to have."""
-OF_NODES = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
+OF_NODES = NODES | {"ComposableNode", "ComposableLifecycleNode"}
 """The classes that describe nodes."""
 
 
@@ -38,7 +38,7 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         if given.keys().isdisjoint((*names, MORE)):
             yield names[0], f"the argument `{names[0]}` must be given"
     parameters = given.get("parameters")
-    if kind in _NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
+    if kind in NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
         yield "parameters", "parameters must be a list"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"

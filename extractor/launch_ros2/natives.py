@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS
 from rosarch.extractor.launch.unknowns import is_known
+from rosarch.extractor.launch_ros2.argument_types import NODES
 from rosarch.extractor.launch_ros2.conditions import holds
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.decisions import holds_several, is_certain
@@ -23,6 +24,7 @@ from rosarch.extractor.launch_ros2.registry import CONSTANTS, NATIVES, native
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import (
     NOTHING,
+    ROS_ARGUMENTS,
     Bound,
     Class,
     Constructor,
@@ -120,7 +122,24 @@ def _of_path(owner: PathText, name: str) -> Any:
 def _of_made(owner: Made, name: str) -> Any:
     if owner.kind == "LaunchDescription" and name == "entities":
         return _entities(owner)
+    if name == "cmd" and owner.kind in NODES:
+        return _command(owner)
     return owner.arguments.get(name, NOTHING)
+
+
+def _command(node: Made) -> Any:
+    """The command line of a node, a list of lists: its program, its arguments, and what launch_ros adds for ROS."""
+    if node.command is None:
+        words: list[Any] = []
+        for name in ("arguments", "ros_arguments"):
+            given = node.get(name)
+            if given is not None and not isinstance(given, (list, tuple)):
+                return NOTHING
+            words += ["--ros-args"] if name == "ros_arguments" and given is not None else []
+            words += given or ()
+        program = Made("ExecutableInPackage", {name: node.get(name) for name in ("executable", "package")}, node.place)
+        node.command = [[program], *(list(word) if isinstance(word, (list, tuple)) else [word] for word in words), [ROS_ARGUMENTS]]
+    return node.command
 
 
 # -- lists, maps, sets --------------------------------------------------------------------------------------------------------

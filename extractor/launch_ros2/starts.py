@@ -27,6 +27,7 @@ from rosarch.extractor.launch.model import (
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined, require_namespace, require_node_name
+from rosarch.extractor.launch_ros2.argument_types import NODES
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.controllers import asked_by_command, asked_by_spawner
 from rosarch.extractor.launch_ros2.expressions import Raised
@@ -35,13 +36,23 @@ from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_n
 from rosarch.extractor.launch_ros2.processes import node_programs
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, cases, class_of, in_order
+from rosarch.extractor.launch_ros2.values import (
+    NOTHING,
+    ROS_ARGUMENTS,
+    Either,
+    Instance,
+    Made,
+    Unknown,
+    Written,
+    cases,
+    class_of,
+    in_order,
+)
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
     from rosarch.extractor.urdf.robots import Robot
 
-_NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
 _KINDS = ("topic", "service")
 """What a remapping rule may be for alone."""
 _DESCRIPTIONS = ("robot_description", "robot_description_semantic")
@@ -73,7 +84,7 @@ def _target(world: World, target: Any, context: Context) -> str:
     """The name of a container, absolute: a relative one is below the root, in whatever namespace launch is."""
     if isinstance(target, Instance):
         target = target.made
-    if isinstance(target, Made) and target.kind in _NODES:
+    if isinstance(target, Made) and target.kind in NODES:
         namespace = joined(context.namespace, perform(world, target.get("namespace"), context))
         return ns_join(f"{namespace}/", perform(world, target.get("name"), context))
     if isinstance(target, Either):
@@ -378,6 +389,8 @@ def _as_list(found: Any) -> list[Any]:
 
 
 def _words(world: World, made: Made, context: Context) -> list[str]:
+    if made.command is not None:
+        return _words_of(world, _changed_arguments(made.command, made), context)
     words: list[str] = []
     for name in ("arguments", "ros_arguments"):
         found = made.get(name)
@@ -385,6 +398,16 @@ def _words(world: World, made: Made, context: Context) -> list[str]:
             words.append("--ros-args")
         words.extend(_words_of(world, found, context))
     return words
+
+
+def _changed_arguments(command: list[Any], node: Made) -> list[Any]:
+    """The arguments in a command line that code has changed; what it adds at the end follows what launch_ros adds for ROS."""
+    first, *words = command or [None]
+    if not (isinstance(first, (list, tuple)) and len(first) == 1 and isinstance(first[0], Made) and first[0].kind == "ExecutableInPackage"):
+        return [Unknown("cmd", node.place, "the program of its command line is replaced")]
+    at = next((index for index, word in enumerate(words) if isinstance(word, (list, tuple)) and ROS_ARGUMENTS in word), len(words))
+    after = words[at + 1 :]
+    return [*words[:at], *(["--ros-args", *after] if after else [])]
 
 
 def _words_of(world: World, found: Any, context: Context) -> list[str]:

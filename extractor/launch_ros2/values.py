@@ -14,16 +14,24 @@ from rosarch.extractor.launch.model import Condition, Place
 
 @dataclass(eq=False)
 class Made:
-    """An object of a class of launch or launch_ros (`kind`), with the arguments it was made with and where."""
+    """An object of a class of launch or launch_ros (`kind`), with the arguments it was made with and where.
+
+    `command` is the command line of a node from when code asks for it, which may change it then.
+    """
 
     kind: str
     arguments: dict[str, Any]
     place: Place
     rest: tuple[Any, ...] = ()
+    command: list[Any] | None = None
 
     def get(self, *names: str) -> Any:
         """The first of these arguments that was given."""
         return next((self.arguments[name] for name in names if self.arguments.get(name) is not None), None)
+
+
+ROS_ARGUMENTS = Made("RosArguments", {}, Place("", 0))
+"""What launch_ros puts behind the arguments of a node's command line."""
 
 
 class Written(tuple[Any, ...]):

@@ -260,6 +260,34 @@ def test_an_opaque_function_sees_the_context(tmp_path: Path) -> None:
     assert names(found) == ["/nn_0", "/more"]
 
 
+COMMAND = """def setup(context, started):
+    cmd = started.cmd.copy()
+    CHANGE
+    started.cmd.clear()
+    started.cmd.extend([normalize_to_list_of_substitutions(x) for x in cmd])
+    return [started]"""
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (
+            "if LaunchConfiguration('state').perform(context): cmd.insert(1, LaunchConfiguration('state')); cmd.insert(1, '-load')",
+            "-load s -a b",
+        ),
+        ("cmd.append('-r'); cmd.append('x:=y')", "-a b"),
+        ("cmd.pop(1)", "b"),
+    ],
+)
+def test_code_changes_the_command_line_of_a_node(tmp_path: Path, change: str, words: str) -> None:
+    before = "from launch.utilities import normalize_to_list_of_substitutions\n" + COMMAND.replace("CHANGE", change)
+    state = "DeclareLaunchArgument('state', default_value='s')"
+    found = described(tmp_path, f"{state}, OpaqueFunction(function=setup, args=[node('n', arguments=['-a', 'b'])])", before)
+    (started,) = found.nodes
+    assert started.args == words
+    assert [(remap.source, remap.target) for remap in started.remaps] == ([("x", "y")] if "x:=y" in change else [])
+
+
 def test_a_substitution_of_the_workspace(tmp_path: Path) -> None:
     helper = """from launch import Substitution
 from launch.utilities import perform_substitutions
