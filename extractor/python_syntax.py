@@ -77,3 +77,28 @@ def nodes_within(body: Iterable[ast.AST], is_closed: Callable[[ast.AST], bool]) 
         yield node
         if not is_closed(node):
             stack.extend(reversed(list(ast.iter_child_nodes(node))))
+
+
+_REACHES_NAMES = frozenset({"globals", "locals", "vars", "exec", "eval", "setattr", "__import__", "__builtins__", "modules"})
+"""Names of what may give a module names that it does not write."""
+
+
+def bound_names(tree: ast.Module) -> frozenset[str] | None:
+    """The names that a module binds anywhere, in any of its functions as well; None when it may have more than it writes."""
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id=name, ctx=ast.Load()) | ast.Attribute(attr=name):
+                if name in _REACHES_NAMES:
+                    return None
+            case ast.Name(id=name) | ast.arg(arg=name) | ast.MatchStar(name=str(name)) | ast.MatchMapping(rest=str(name)):
+                found.add(name)
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                found.add(name)
+            case ast.ExceptHandler(name=str(name)) | ast.MatchAs(name=str(name)):
+                found.add(name)
+            case ast.alias(name=name, asname=other):
+                if name == "*":
+                    return None
+                found.add(other or name.partition(".")[0])
+    return frozenset(found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import builtins
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -51,6 +52,23 @@ _LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing"
 _OBJECTS = (Made, Instance, Class, PathText, TextFile, Module)
 _DECORATORS = frozenset({"staticmethod", "classmethod", "property", "cached_property"})
 
+_BUILTINS = frozenset(dir(builtins)) | {
+    *(
+        "__builtins__",
+        "__file__",
+        "__name__",
+        "__doc__",
+        "__package__",
+        "__spec__",
+        "__loader__",
+        "__path__",
+        "__cached__",
+        "__annotations__",
+    ),
+    *("__class__", "__debug__", "__dict__", "__module__", "__qualname__", "copyright", "credits", "exit", "license", "quit", "_"),
+    *("aiter", "anext", "BaseExceptionGroup", "ExceptionGroup", "EncodingWarning", "PythonFinalizationError", "WindowsError"),
+}
+"""Names that are there in some version of Python 3, or somewhere in a module, without being bound by it."""
 
 GENERAL = frozenset({"Exception", "BaseException"})
 
@@ -119,6 +137,9 @@ class Calls(Expressions):
         return True
 
     def builtin(self, node: ast.Name, frame: Frame) -> Any:
+        bound = frame.module.bound
+        if bound is not None and node.id not in bound and node.id not in _BUILTINS and node.id not in NATIVES:
+            raise Raised("NameError", f"name '{node.id}' is not defined", self.place(node, frame))
         return NATIVES.get(node.id) or super().builtin(node, frame)
 
     # -- attributes -----------------------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ from rosarch.extractor.launch_ros2.values import (
     TextFile,
     Unknown,
 )
-from rosarch.extractor.python_syntax import parse_python
+from rosarch.extractor.python_syntax import bound_names, parse_python
 
 MAX_ROUNDS = 10_000
 MAX_FORKS = 16
@@ -61,7 +61,7 @@ class Interpreter(Calls):
             Raised: it raises an exception; `frame.variables` of the module are as they were by then.
         """
         tree = parse_python(text)
-        module = ModuleFrame(name, file, is_launch_file, {"__name__": name, "__file__": file})
+        module = ModuleFrame(name, file, is_launch_file, {"__name__": name, "__file__": file}, bound=bound_names(tree))
         self.modules[name] = module
         self._top(tree.body, Frame(module.variables, module))
         return module

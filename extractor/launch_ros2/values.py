@@ -106,13 +106,17 @@ class Frame:
 
 @dataclass(eq=False)
 class ModuleFrame:
-    """A module that was run: its file, its name and its names. `described` are the launch descriptions made in it."""
+    """A module that was run: its file, its name and its names. `described` are the launch descriptions made in it.
+
+    `bound` are the names that its text binds anywhere; None when these are not known to be all.
+    """
 
     name: str
     file: str
     is_launch_file: bool = False
     variables: dict[str, Any] = field(default_factory=dict)
     described: list[Made] = field(default_factory=list)
+    bound: frozenset[str] | None = None
 
     @property
     def is_helper(self) -> bool:

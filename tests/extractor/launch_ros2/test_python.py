@@ -458,6 +458,37 @@ two = generate_controllers_spawner_launch_description(['a', 'b'], extra_spawner_
     assert problems(found, tmp_path) == ["launch/main.launch.py:19:5: package `controller_manager` is not on the package path"]
 
 
+IMPORTS = """import os
+from launch import LaunchDescription
+from launch.actions import OpaqueFunction
+from launch_ros.actions import Node
+def node(name):
+    return Node(package='here', executable='run', name=name)
+BEFORE
+def generate_launch_description():
+    return LaunchDescription([ITEMS])
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "items", "said"),
+    [
+        ("", "other", "NameError: name 'other' is not defined"),
+        ("def setup(context):\n    return [node('b'), other]", "OpaqueFunction(function=setup)", "NameError: name 'other' is not defined"),
+        ("def setup():\n    return other", "node('a')", None),
+        ("try:\n    name = unicode('a')\nexcept NameError:\n    name = 'a'", "node(name)", None),
+        ("from elsewhere import *", "other", "what `other` starts is not known"),
+        ("globals().update(more())", "other", "what `other` starts is not known"),
+        ("def more():\n    global other\n    other = node('a')\nmore()", "other", None),
+        ("if os.path.exists('/elsewhere'):\n    other = node('a')", "other", None),
+    ],
+)  # fmt: skip
+def test_names_that_nothing_defines(tmp_path: Path, before: str, items: str, said: str | None) -> None:
+    found = problems(composed(tmp_path, {"main.launch.py": IMPORTS.replace("BEFORE", before).replace("ITEMS", items)}), tmp_path)
+    assert (said is None and not found) or (said is not None and any(said in text for text in found)), found
+    assert (said is not None and "NameError" in said) == any("NameError" in text for text in found)
+
+
 @pytest.mark.parametrize(
     ("use", "said"),
     [
