@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
 
 _PACKAGE, _MANAGER = "controller_manager", "ros2_control_node"
+_MANAGERS = frozenset({(_PACKAGE, _MANAGER), ("ur_robot_driver", "ur_ros2_control_node")})
+"""Programs whose node is called like the package where no launch file names it."""
 _SPAWNERS = ("spawner", "spawner.py")
 _LOAD = ["ros2", "control", "load_controller"]
 _WITH_VALUE = re.compile(
@@ -132,7 +134,7 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
 
 def _by_its_own_name(node: NodeStart) -> NodeStart:
     """A manager that no launch file gives a name has that of its code."""
-    return replace(node, called=_PACKAGE) if node.name is None and (node.package, node.type) == (_PACKAGE, _MANAGER) else node
+    return replace(node, called=_PACKAGE) if node.name is None and (node.package, node.type) in _MANAGERS else node
 
 
 def _controller(world: World, name: str, manager: NodeStart, asked: Asked, context: Context) -> Iterator[NodeStart]:
