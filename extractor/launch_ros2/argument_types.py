@@ -40,6 +40,9 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     parameters = given.get("parameters")
     if kind in NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
         yield "parameters", "parameters must be a list"
+    unsure = given.get("condition") is not None  # of what surely starts, the values are looked at then
+    if kind in OF_NODES and unsure and isinstance(parameters, list) and any(map(_has_numbers_in_lists, parameters)):
+        yield "parameters", "an item of a list within a list must be a text or a substitution"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
     if kind in _PROCESSES and _is_text(given.get("respawn")):
@@ -70,6 +73,14 @@ def _rules(remappings: Any) -> list[Any]:
 def _is_rule(rule: Any) -> bool:
     """Whether this may be a pair of names: all that is not known may."""
     return not (isinstance(rule, list) or _is_text(rule) or (isinstance(rule, tuple) and len(rule) != 2))
+
+
+def _has_numbers_in_lists(parameters: Any) -> bool:
+    """Whether a map of parameters has a list of lists of numbers."""
+    if not isinstance(parameters, dict):
+        return False
+    lists = (item for value in parameters.values() if isinstance(value, (list, tuple)) for item in value if isinstance(item, (list, tuple)))
+    return any(isinstance(one, (int, float)) for inner in lists for one in inner) or any(map(_has_numbers_in_lists, parameters.values()))
 
 
 def _is_scalar(value: Any) -> bool:

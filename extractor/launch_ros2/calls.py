@@ -38,6 +38,7 @@ from rosarch.extractor.launch_ros2.values import (
     ModuleFrame,
     Native,
     PathText,
+    Several,
     Super,
     TextFile,
     Unknown,
@@ -373,6 +374,9 @@ class Calls(Expressions):
     def make(self, kind: str, arguments: list[Any], named: dict[str, Any], place: Place) -> Made:
         """An object of a class of launch."""
         names = CLASSES[kind]
+        if len(arguments) > len(names) and kind in KEYWORDS and not any(isinstance(one, Several) for one in arguments):
+            most = f"{len(names) + 1} positional argument{'s' if names else ''}"
+            raise Raised("TypeError", f"{kind}.__init__() takes {most} but {len(arguments) + 1} were given", place)
         for name in named.keys() - {MORE} - KEYWORDS.get(kind, named.keys()):
             now = RENAMED.get(name) if kind in OF_NODES else None
             if now is None:

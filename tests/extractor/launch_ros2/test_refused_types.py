@@ -72,6 +72,27 @@ def test_what_is_no_text_and_no_list(tmp_path: Path, action: str, kind: str) -> 
     assert [one.message for one in described(tmp_path, action).problems] == [f"TypeError: '{kind}' object is not iterable"]
 
 
+@pytest.mark.parametrize(
+    ("made", "message"),
+    [
+        ("Node('b', package='here', executable='run')", "Node.__init__() takes 1 positional argument but 2 were given"),
+        ("LogInfo('b', 'c')", "LogInfo.__init__() takes 1 positional argument but 3 were given"),
+        ("SetRemap('b', 'c', 'd')", "SetRemap.__init__() takes 3 positional arguments but 4 were given"),
+        ("node(LaunchConfiguration('b', 'c'))", "LaunchConfiguration.__init__() takes 2 positional arguments but 3 were given"),
+        ("node('b', condition=IfCondition('true', 'c'))", "IfCondition.__init__() takes 2 positional arguments but 3 were given"),
+        ("TimerAction(1.0, [node('b')])", "TimerAction.__init__() takes 1 positional argument but 3 were given"),
+        (
+            "node('b', condition=IfCondition('false'), parameters=[{'p': [[1], [2]]}])",
+            "Node: an item of a list within a list must be a text or a substitution",
+        ),
+    ],
+)
+def test_what_constructors_reject(tmp_path: Path, made: str, message: str) -> None:
+    assert message in [
+        problem.message.removeprefix("TypeError: ") for problem in described(tmp_path, f"{A}, {made}").problems if problem.fatal
+    ]
+
+
 def test_a_truth_value_is_passed_to_an_included_file(tmp_path: Path) -> None:
     included = "IncludeLaunchDescription(LaunchDescription([]), launch_arguments={'x': 'true'}.items())"
     assert not described(tmp_path / "text", included).problems
