@@ -34,7 +34,8 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
         call = replace(call, file=state.files.located(named))
     for path in (call.program, call.file):
         if is_known(path) and (path is call.file or "/" in path) and not state.files.is_file(path):
-            state.report(LaunchError("command", call.program, f"command `{call.program}` would fail: no such file: {path}"))
+            kind, subject = ("file", path) if os.path.isabs(path) else ("command", call.program)
+            state.report(LaunchError(kind, subject, f"command `{call.program}` would fail: no such file: {path}"))
             return None, None
     expansion = run(call, state.files, state.resolver.environment, state.unknowns, installed=installed)
     state.spend(expansion.work)

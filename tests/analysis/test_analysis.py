@@ -167,3 +167,16 @@ def test_what_another_launch_file_starts_of_the_library_may_send_a_frame(workspa
 
     assert "fixed-frame-not-sent" in checks("view.launch")
     assert "fixed-frame-not-sent" not in checks("view.launch", "map.launch")
+
+
+def test_a_robot_description_that_does_not_exist_is_one_finding_and_none_outside_of_the_workspace(workspace: Path) -> None:
+    package = workspace / "talker"
+    for name, path in (("in", "$(find talker)/robot.xacro"), ("out", "/srv/robots/robot.xacro")):
+        (package / f"{name}.launch").write_text(
+            f'<launch>\n<param name="robot_description" command="$(find xacro)/xacro {path}"/>\n<param name="p" value="1"/>\n</launch>'
+        )
+    requests = [parse_request("talker/in.launch"), parse_request("talker/out.launch")]
+    launches = given(requests, LaunchEnvironment(workspace, (workspace,), {}))
+    found = analyze_systems(workspace, launches, Method(sources=Settings(jobs=1))).findings
+    about = [(each.check.id, str(each.place), each.message) for each in found if each.severity != "note" and "package" not in each.check.id]
+    assert about == [("missing-file", "talker/in.launch:2", "talker/robot.xacro does not exist")]
