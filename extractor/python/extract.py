@@ -12,6 +12,7 @@ from rosarch.base.limits import deep_recursion
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.flow import Flow
 from rosarch.extractor.python.body import Body, Facts
+from rosarch.extractor.python.decorated import read_decorated
 from rosarch.extractor.python.definitions import lower_module
 from rosarch.extractor.python.inference import Inference
 from rosarch.extractor.python.model import Class, Function, Module, Symbol
@@ -54,6 +55,7 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
         for line, column in _dynamic_imports(nodes):
             problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     name_what_texts_name(parsed.tree)
+    read_decorated(parsed.tree)
     give_constructors(parsed.tree)
     relative = path_text(shown_path(root, path))
     main = path == entry.file and entry.function is None

@@ -20,7 +20,7 @@
 // expect-not: _mode_switch(_, _); _step(_, _, _, _, _); _at_defaults(_); _constant_of(_, _); _constant_return(_, _); _outcome(_, _, _); _tested(_)
 // expect-not: _tested_value(_, _, _); _truth_value(_, _); truth_test(_, _, _)
 // servers, filters and other ports that libraries make
-// expect-not: _answered_to(_, _); _calls_field(_, _, _); _connected(_, _, _); _feeds_directly(_, _); _server_of(_, _); _sink_of(_, _); feeds(_, _)
+// expect-not: _answered_to(_, _); _calls_held(_, _, _); _connected(_, _, _); _feeds_directly(_, _); _server_of(_, _); _sink_of(_, _); feeds(_, _)
 // expect-not: flow_variable(_, _, _); flows_to_sink(_, _); given_to_field(_, _, _); sink_callback(_, _); implicit_port(_, _)
 // expect-not: _implicit(_, _, _, _, _); hidden_site(_, _); hidden_namespace(_, _); port_object(_, _); port_unknown(_, _); port_made_through(_, _)
 // expect-not: _sends_other(_, _, _); _data_flow(_, _, _); steps_through(_); may_skip(_, _, _)
