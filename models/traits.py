@@ -55,6 +55,7 @@ TRAITS = {
     "given_away": ("port",),
     "unsteady": ("place", "text"),
     "unheard": ("port", "text"),
+    "callback_unseen": ("port",),
     "held_up": ("text",),
     "may_be_missed": ("place",),
     "perhaps_always": ("port", "port"),
