@@ -1,5 +1,13 @@
 # Callbacks in dictionaries, asked for by constants, and by what may be any of them.
 # expect-only: reactive * -> *
+# expect: reactive in_a -> a
+# expect: reactive in_b -> b
+# expect: reactive in_any -> a
+# expect: reactive in_any -> b
+# expect: reactive in_named -> a
+# expect: reactive in_named -> b
+# expect: reactive in_else -> a
+# expect: reactive in_else -> b
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import Int32
@@ -20,10 +28,10 @@ class Table(Node):
         self.create_subscription(Int32, "in_else", table.get(self.get_name(), self.on_b), 1)
 
     def on_a(self, msg):
-        self.pa.publish(msg)  # expect: reactive in_a -> a; reactive in_any -> a; reactive in_named -> a; reactive in_else -> a
+        self.pa.publish(msg)
 
     def on_b(self, msg):
-        self.pb.publish(msg)  # expect: reactive in_b -> b; reactive in_any -> b; reactive in_named -> b; reactive in_else -> b
+        self.pb.publish(msg)
 
 
 rclpy.init()
