@@ -44,6 +44,8 @@ def written_parts(node: ast.expr, path: Path) -> Iterator[tuple[ast.expr, Path]]
         case ast.Call(func=ast.Name(id="zip"), args=arguments):
             if rest:
                 yield from ((argument, (None, *rest[1:])) for argument, _ in _elements(arguments, rest[0], ()))
+        case ast.Call(func=ast.Name(id="filter"), args=[_, inner]):
+            yield inner, (None, *rest)
         case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name), args=[inner, *_]) if name in _SAME_ELEMENTS:
             yield inner, (None, *rest)
         case ast.Call() if (container := taken_from(node)) is not None:
@@ -71,5 +73,7 @@ def taken_from(node: ast.Call) -> ast.expr | None:
         case ast.Call(func=ast.Attribute(value=container, attr=name)) if name in _GIVE_ELEMENT:
             return container
         case ast.Call(func=ast.Name(id="next"), args=[container, *_]):
+            return container
+        case ast.Call(func=ast.Name(id="max" | "min") | ast.Attribute(value=ast.Name(id="random"), attr="choice"), args=[container]):
             return container
     return None
