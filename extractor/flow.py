@@ -150,6 +150,11 @@ class Flow:
         self.start(after)
         return left, right
 
+    @property
+    def loops(self) -> int:
+        """How many loops and switches are around."""
+        return len(self._breaks)
+
     def leave(self) -> None:
         """Return from the function; what follows is reached only by other ways."""
         self.to(self.exit)

@@ -6,6 +6,7 @@ import ast
 import re
 import sys
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from rosarch.extractor.flow import Flow
@@ -163,6 +164,8 @@ class Body:
     scope: Scope
     flow: Flow
     function: str = ""
+    finally_: list[tuple[Sequence[ast.stmt], int]] = field(default_factory=list)
+    """What each `try` around does in any case, and in how many loops that is."""
 
     @property
     def inference(self) -> Inference:

@@ -9,12 +9,12 @@ from rosarch.extractor.python import definitions
 from rosarch.extractor.python.body import Body
 from rosarch.extractor.python.model import Variable
 from rosarch.extractor.python.shapes import field_of
+from rosarch.extractor.python.trying import leave, lower_try
 
 _AUGMENTED: dict[type[ast.operator], str] = {
     ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=",
     ast.LShift: "<<=", ast.RShift: ">>=", ast.BitOr: "|=", ast.BitAnd: "&=", ast.BitXor: "^=", ast.MatMult: "*=",
 }  # fmt: skip
-_EVERYTHING = ("Exception", "BaseException")
 
 
 def lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
@@ -275,34 +275,6 @@ def _entered(body: Body, node: ast.expr, value: str) -> str:
     return call if entering else value
 
 
-def _try(body: Body, node: ast.Try) -> None:
-    """What is in `finally` follows in any case; where it goes on after an exception is not distinguished."""
-    flow = body.flow
-    handlers = [flow.block() for _ in node.handlers]
-    after = flow.block()
-    everything = bool(node.finalbody) or any(_catches_all(handler) for handler in node.handlers)
-    caught = handlers or [after]
-    with flow.catching(caught, everything):
-        start = flow.block()
-        flow.to(start)
-        flow.start(start)
-        lower_statements(body, node.body)
-    lower_statements(body, node.orelse)
-    flow.to(after)
-    for block, handler in zip(handlers, node.handlers, strict=True):
-        flow.start(block)
-        if handler.type is not None:
-            _expressions_of(body, ast.copy_location(ast.Expr(handler.type), handler))
-        lower_statements(body, handler.body)
-        flow.to(after)
-    flow.start(after)
-    lower_statements(body, node.finalbody)
-
-
-def _catches_all(handler: ast.ExceptHandler) -> bool:
-    return handler.type is None or (isinstance(handler.type, ast.Name) and handler.type.id in _EVERYTHING)
-
-
 def _return(body: Body, node: ast.Return) -> None:
     from rosarch.extractor.python.expressions import lower
 
@@ -310,7 +282,7 @@ def _return(body: Body, node: ast.Return) -> None:
         expr = lower(body, node.value, text=True)
         body.facts.add("return_value", body.function, expr)
         body.flow.evaluate(expr)
-    body.flow.leave()
+    leave(body, 0, body.flow.leave)
 
 
 def _raise(body: Body, node: ast.Raise) -> None:
@@ -382,7 +354,7 @@ _STATEMENTS: dict[type[ast.stmt], Callable[..., None]] = {
     ast.AsyncFor: _for,
     ast.With: _with,
     ast.AsyncWith: _with,
-    ast.Try: _try,
+    ast.Try: lower_try,
     ast.Return: _return,
     ast.Raise: _raise,
     ast.Assert: _assert,
@@ -392,8 +364,8 @@ _STATEMENTS: dict[type[ast.stmt], Callable[..., None]] = {
     ast.ClassDef: definitions.lower_class,
     ast.Import: definitions.lower_import,
     ast.ImportFrom: definitions.lower_import,
-    ast.Break: lambda body, _node: body.flow.break_(),
-    ast.Continue: lambda body, _node: body.flow.continue_(),
+    ast.Break: lambda body, _node: leave(body, body.flow.loops, body.flow.break_),
+    ast.Continue: lambda body, _node: leave(body, body.flow.loops, body.flow.continue_),
     ast.Global: _nothing,
     ast.Nonlocal: _nothing,
     ast.Pass: _nothing,
