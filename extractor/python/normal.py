@@ -1,5 +1,7 @@
 """What is named by a text, as what it is: `getattr(x, "name")` is `x.name`, `setattr(x, "name", value)` gives it a value.
 
+`type(self).name` is read as `self.name`, which finds it too.
+
 `locals()[name](...)` calls one of the functions that the function around it declares: it looks `name` up in a dictionary of these.
 """
 
@@ -14,6 +16,7 @@ def name_what_texts_name(tree: ast.Module) -> None:
     for function in reversed(functions):  # inner ones first: they have names of their own
         _name_functions(function)
     for node in ast.walk(tree):
+        _name_of_object(node)
         for name, value in ast.iter_fields(node):
             if isinstance(value, list):
                 value[:] = [_named(part) for part in value]
@@ -29,6 +32,14 @@ def _name_functions(function: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
                 keys = [ast.copy_location(ast.Constant(name), all_names) for name in names]
                 values = [ast.copy_location(ast.Name(name, ast.Load()), all_names) for name in names]
                 chosen.value = ast.copy_location(ast.Dict([*keys], [*values]), all_names)
+
+
+def _name_of_object(node: ast.AST) -> None:
+    match node:
+        case ast.Attribute(value=ast.Call(func=ast.Name(id="type"), args=[owner], keywords=[])) if not node.attr.startswith("__"):
+            node.value = owner
+        case ast.Attribute(value=ast.Attribute(value=owner, attr="__class__")) if not node.attr.startswith("__"):
+            node.value = owner
 
 
 def _named(node: ast.AST) -> ast.AST:
