@@ -32,6 +32,9 @@ def lower_try(body: Body, node: ast.Try) -> None:
             flow.to(after)
             for block, handler in zip(handlers, node.handlers, strict=True):
                 flow.start(block)
+                inside = flow.block()  # what is made here passes on what it raises
+                flow.to(inside)
+                flow.start(inside)
                 if handler.type is not None:
                     lower_statements(body, [ast.copy_location(ast.Expr(handler.type), handler)])
                 lower_statements(body, handler.body)
