@@ -126,7 +126,7 @@ class Deriving:
         follows: bool,
     ) -> Iterator[Made]:
         def derive(facts: Mapping[str, Any]) -> Relations:
-            return evaluate({**rows, **facts}).all_rows()
+            return evaluate({**rows, **facts}).by_relation()
 
         waiting, done = list(configurations), set[Configuration]()
         while waiting:

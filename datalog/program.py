@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import marshal
 import sys
+import weakref
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
@@ -25,7 +26,7 @@ from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.types import Types, build_types
 
 if TYPE_CHECKING:
-    from rosarch.datalog.engine.again import Reading
+    from rosarch.datalog.engine.again import Reading, Series
     from rosarch.datalog.language.overrides import Overridden
     from rosarch.datalog.language.sources import Sources
     from rosarch.datalog.language.syntax import Directive, Unit
@@ -90,6 +91,10 @@ class Result:
         """The rows of all relations that were kept."""
         return {name: self.rows(name) for name in self.names()}
 
+    def by_relation(self) -> Mapping[str, list[Row]]:
+        """The same, each when it is asked for."""
+        return _ByRelation(self)
+
     def lines(self, name: str, writers: Sequence[Show], delimiter: str = "\t") -> Iterator[str]:
         """The rows of a relation, sorted, as text in pieces of many lines; `writers` are those of its columns."""
         return line_chunks(self._rows[name], writers, delimiter)
@@ -97,6 +102,49 @@ class Result:
     def count(self, name: str) -> int:
         """The number of rows of a relation."""
         return len(self._rows[name])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _ByRelation(Mapping[str, list[Row]]):
+    """The rows of a result by relation."""
+
+    result: Result
+
+    def __getitem__(self, name: str) -> list[Row]:
+        if name not in self.result._rows:
+            raise KeyError(name)
+        return self.result.rows(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.result.names())
+
+    def __len__(self) -> int:
+        return len(self.result._rows)
+
+
+class _Derived(Mapping[str, Collection[Any]]):
+    """The rows of some relations, derived when they are asked for; the evaluation lasts as long as this."""
+
+    def __init__(self, evaluation: engine.Evaluation, names: Collection[str], sources: dict[str, str]) -> None:
+        self._evaluation = evaluation
+        self._names = names
+        self._sources = sources
+        weakref.finalize(self, evaluation.close)
+
+    def __getitem__(self, name: str) -> Collection[Any]:
+        if name not in self._names:
+            raise KeyError(name)
+        try:
+            with engine.collector_paused():
+                return self._evaluation.rows([name])[name]
+        except DatalogError as error:
+            raise with_lines(error, self._sources) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
 
 
 @dataclass(slots=True)
@@ -170,6 +218,7 @@ class Program:
     def series(self, *, engine: str = "embedded") -> Iterator[Callable[[Mapping[str, Iterable[Row]]], Result]]:
         """What evaluates the program again and again: what facts that differ from earlier ones do not reach is derived once.
 
+        The rows of a result are derived when they are asked for, which they can be until the series ends.
         Rows of facts that are the same objects each time need not be compared.
         """
         if engine != "embedded" or self.code.counts or self.code.uses_ordinals:
@@ -180,18 +229,22 @@ class Program:
         if self._reading is None:
             self._reading = Reading(self.code)
         with closing(Series(self._reading)) as series:
-            yield partial(self.evaluate_as, series.evaluation, keep=None)
+            yield partial(self._begun, series)
+
+    def _begun(self, series: Series, facts: Mapping[str, Iterable[Row]]) -> Result:
+        """The result of the next evaluation of a series."""
+        with engine.collector_paused():
+            evaluation = series.evaluation(self.code, self._loaded_functions(), self._given(facts), engine.Control(None, None))
+        return Result(_Derived(evaluation, dict.fromkeys(self.outputs), self.sources), self.code.arity)
 
     def _evaluate_embedded(
         self, facts: Mapping[str, Iterable[Row]] | Path, kept: Collection[str], *,
         limit_rows: int | None = None, time_limit: float | None = None, kind: Callable[..., engine.Evaluation] = engine.Evaluation,
     ) -> Mapping[str, Collection[Any]]:  # fmt: skip
-        if self._functions is None:
-            self._functions = self.load_functions()
-        control = engine.Control(limit_rows, time_limit)
+        functions, control = self._loaded_functions(), engine.Control(limit_rows, time_limit)
         try:
             # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-            with engine.collector_paused(), closing(kind(self.code, self._functions, self._given(facts), control)) as evaluation:
+            with engine.collector_paused(), closing(kind(self.code, functions, self._given(facts), control)) as evaluation:
                 if not control.active:
                     return evaluation.run(kept)
                 from rosarch.datalog.engine.watch import watching
@@ -206,6 +259,11 @@ class Program:
         found = self.read_facts(Path(facts)) if isinstance(facts, (str, Path)) else facts
         self._check_facts(found)
         return found
+
+    def _loaded_functions(self) -> dict[str, Any]:
+        if self._functions is None:
+            self._functions = self.load_functions()
+        return self._functions
 
     def load_functions(self) -> dict[str, Any]:
         """The functions of the generated module, with what they call."""

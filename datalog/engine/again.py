@@ -1,21 +1,24 @@
 """Evaluations of one program, one after the other: what facts that differ from earlier ones do not reach is derived once.
 
-The strata are gone through in their order. One that reads no relation with other rows than in an earlier evaluation takes over its rows
-from there, with their indexes; one that has to be run, and comes to the rows that it had, changes nothing for those after it.
-Nothing is approximated: the rows are those of an evaluation from the beginning.
+Strata are run in their order, when rows are asked for that depend on them. One that reads no relation with other rows than in an
+earlier evaluation takes over its rows from there, with their indexes; one that has to be run, and comes to the rows that it had, changes
+nothing for those after it. Nothing is approximated: the rows are those of an evaluation from the beginning.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from functools import reduce
 from operator import or_
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.datalog.engine.engine import Control, Evaluation, Facts, Functions
 from rosarch.datalog.engine.on_demand import make_table
 from rosarch.datalog.engine.plan import Code, Rule, Stratum, TablePlan
+
+if TYPE_CHECKING:
+    from rosarch.datalog.engine.on_demand import Table
 
 KEPT = 8
 """Evaluations of a series of which all rows are kept."""
@@ -23,6 +26,8 @@ SHARE = 10
 """One is worth it that had to run at least one stratum of so many."""
 Slots = int
 """A set of relations: the bits at their slots."""
+Strata = int
+"""A set of strata: the bits at their numbers."""
 
 
 class Reading:
@@ -38,6 +43,21 @@ class Reading:
         for number, index in enumerate(code.indexes, len(code.relation_slot)):
             self._indexes[index.relation].append(number)
         self.strata = [(stratum, *self._of(code, stratum)) for stratum in code.strata if stratum.rules()]
+        self.all: Strata = (1 << len(self.strata)) - 1
+        self._needed = self._strata_needed(code)
+
+    def needed(self, relation: str) -> Strata:
+        """The strata that the rows of a relation depend on."""
+        return self._needed.get(relation, 0)
+
+    def _strata_needed(self, code: Code) -> Mapping[str, Strata]:
+        """The same for all relations that have rules: those of strata come later than what they read."""
+        names = {slot: name for name, slot in code.relation_slot.items()}
+        found: dict[str, Strata] = {}
+        for number, (stratum, reads, _) in enumerate(self.strata):
+            needed = _union(found.get(names[slot], 0) for slot in _members(reads)) | 1 << number
+            found.update((member.name, needed) for member in stratum.members)
+        return found
 
     def _of(self, code: Code, stratum: Stratum) -> tuple[Slots, Collection[int]]:
         """The relations of a stratum, those that it reads, and the tables."""
@@ -72,6 +92,13 @@ def _union(sets: Iterable[Slots]) -> Slots:
     return reduce(or_, sets, 0)
 
 
+def _members(numbers: int) -> Iterator[int]:
+    """The numbers of a set, in their order."""
+    while numbers:
+        yield (numbers & -numbers).bit_length() - 1
+        numbers &= numbers - 1
+
+
 class Again(Evaluation):
     """An evaluation of a series, which takes over rows of the one `before`, if there is one."""
 
@@ -81,6 +108,13 @@ class Again(Evaluation):
         self.before = before
         self.facts = facts
         self.changed: Slots = 0  # relations with other rows than before
+        self.settled: Strata = 0  # what was run, or taken over
+        self.asked: set[int] = set()  # the tables that these ask
+        self.count = 0  # of those that were run
+        # what there was before when this one began: more may be run there since
+        self._settled_before: Strata = before.settled if before else 0
+        self._asked_before: Set[int] = frozenset(before.asked) if before else frozenset()
+        self._tables_before: Sequence[Table] = tuple(before.tables) if before else ()
         super().__init__(code, functions, facts, control, before.state if before else None)
 
     def load(self, facts: Facts) -> None:
@@ -88,20 +122,23 @@ class Again(Evaluation):
         if self.before is None:
             super().load(facts)
             return
-        self.slots, self.tables = list(self.before.slots), list(self.before.tables)
+        self.slots, self.tables = list(self.before.slots), list(self._tables_before)
         for name in differing(facts, self.before.facts):
             self.changed |= 1 << self._begin(name)
 
-    def run(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
-        """Run the strata that changes reach; the rows of the `keep` relations, bare values for unary ones."""
-        count = 0
-        for stratum, reads, tables in self.reading.strata:
-            if self.before is None or reads & self.changed:
-                count += 1
-                self._run(stratum, tables)
-        if count * SHARE >= len(self.reading.strata):
+    def rows(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
+        """The rows of some relations; the strata that they depend on, and that changes reach, are run."""
+        needed = _union(map(self.reading.needed, keep)) & ~self.settled
+        for number in _members(needed):
+            stratum, reads, tables = self.reading.strata[number]
+            if not self._settled_before >> number & 1 or reads & self.changed:
+                self.count += 1
+                self._run(stratum, tables, fresh=not self._settled_before >> number & 1)
+            self.settled |= 1 << number
+            self.asked.update(tables)
+        if needed and self.count * SHARE >= self.settled.bit_count():
             self.series.keep(self)
-        return self.rows(keep)
+        return super().rows(keep)
 
     def close(self) -> None:
         """Let go of all relations, unless later evaluations may take them over."""
@@ -110,8 +147,8 @@ class Again(Evaluation):
 
     def release(self) -> None:
         """Let go of all relations, but for what is of the evaluation before."""
-        if self.before:
-            self.tables = [own for own, other in zip(self.tables, self.before.tables, strict=True) if own is not other]
+        taken_over = set(map(id, self._tables_before))
+        self.tables = [table for table in self.tables if id(table) not in taken_over]
         super().close()
 
     def whole_relation(self, plan: TablePlan) -> Collection[Any]:
@@ -128,22 +165,22 @@ class Again(Evaluation):
             self.slots[index] = None
         return slot
 
-    def _run(self, stratum: Stratum, tables: Iterable[int]) -> None:
-        """Run a stratum that reads `tables`; its relations have changed if they have other rows than before."""
-        before = self.before
-        if before is None:
+    def _run(self, stratum: Stratum, tables: Iterable[int], *, fresh: bool) -> None:
+        """Run a stratum that reads `tables`; its relations have changed if they have other rows than before, or `fresh` ones."""
+        if self.before is None:
             self.run_stratum(stratum)
             return
         for number in tables:  # all that these are derived from is there
-            if self.tables[number] is before.tables[number] and self.reading.reads(number) & self.changed:
+            is_same = number in self._asked_before and not self.reading.reads(number) & self.changed
+            if self.tables[number] is self._tables_before[number] and not is_same:
                 self.tables[number] = make_table(self.code.tables[number], self)
         for member in stratum.members:
             self._begin(member.name)
         self.run_stratum(stratum)
         for slot in (member.full for member in stratum.members):
-            if _alike(self.slots[slot], before.slots[slot]):
+            if not fresh and _alike(self.slots[slot], self.before.slots[slot]):
                 for same in (slot, *self.reading.indexes(slot)):
-                    self.slots[same] = before.slots[same]
+                    self.slots[same] = self.before.slots[same]
             else:
                 self.changed |= 1 << slot
 
@@ -172,7 +209,7 @@ class Series:
 
     def keep(self, evaluation: Again) -> None:
         """Keep all rows of an evaluation, unless there are enough."""
-        if len(self._kept) < KEPT:
+        if len(self._kept) < KEPT and evaluation not in self._kept:
             self._kept.append(evaluation)
 
     def keeps(self, evaluation: Again) -> bool:
