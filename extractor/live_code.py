@@ -137,8 +137,8 @@ class _Program:
         for (name,) in self.declared.entry_classes(own):
             for function in REGISTERS_TREE_NODES:
                 self.mention_name(function)
-            self.mention_classes([str(name)])
-            self.mention_types(self.declared.aliased.get(str(name), ()))
+            self.mention_classes([str(name).partition("<")[0]])
+            self.mention_types([*self.declared.aliased.get(str(name), ()), *([str(name)] if "<" in str(name) else [])])
 
     def mention(self, mentioned: Mentions) -> None:
         self.reach(mentioned.functions)
