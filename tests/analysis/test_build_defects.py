@@ -62,6 +62,11 @@ def test_interfaces_that_are_not(tmp_path: Path) -> None:
         ("Dim.msg", 1, "field type", "Header"),
         ("Hue.msg", 1, "field type", "time"),
     ]
+    names = {"msg/dim_light.msg": "float32 x\n", "srv/off.srv": "---\n"}
+    assert interfaces(tmp_path / "names", '"msg/Dim.msg"\n  "msg/dim_light.msg" "srv/off.srv"', **names) == [
+        ("CMakeLists.txt", 5, "interface name", "msg/dim_light.msg"),
+        ("CMakeLists.txt", 5, "interface name", "srv/off.srv"),
+    ]
     # a list that is not known leaves nothing out
     assert interfaces(tmp_path / "e", "${FILES}", **{"msg/Hue.msg": "float32 x\n"}) == []
 

@@ -21,6 +21,7 @@ _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*([\w/]+)(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
 _BASIC = re.compile(r"bool|byte|char|w?string|float(?:32|64)|u?int(?:8|16|32|64)")
 _FIELD_NAME = re.compile(r"[a-z](?:_?[a-z0-9])*")
+_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 
 
 @lru_cache(maxsize=256)
@@ -31,7 +32,7 @@ def of_interfaces(package: Built) -> tuple[Defect, ...]:
 
 
 def _of_rosidl(package: Built) -> Iterator[Defect]:
-    """Interfaces of ROS 2 that do not exist, that no call lists, or that have a field with no proper name or type."""
+    """Interfaces of ROS 2 that do not exist, that no call lists, or that have no proper name, or a field with none, or of no proper type."""
     calls = package.called("rosidl_generate_interfaces")
     if not calls:
         return
@@ -49,6 +50,8 @@ def _of_rosidl(package: Built) -> Iterator[Defect]:
     for kind in _ADDED:
         for path in sorted((package.folder / kind).glob(f"*.{kind}")):
             if package.brings(f"share/{package.name}/{kind}/{path.name}"):
+                if not _NAME.fullmatch(path.stem):
+                    yield Defect(calls[0].path, line_with(calls[0].path, path.name), "interface name", f"{kind}/{path.name}")
                 yield from _of_fields(path, own)
             elif known:
                 yield Defect(calls[0].path, calls[0].line, "interface left out", f"{package.name}/{path.stem}")
