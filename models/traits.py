@@ -96,6 +96,7 @@ TRAITS = {
     "refuses_pair": ("place", "text", "text", "text"),
     "shared_too_early": ("place",),
     "declared_twice": ("place", "place", "text"),
+    "declared_by_setting": ("place", "text"),
     "never_spun": ("place",),
     "interface_absent": ("place", "text", "text"),
     "mixed_arguments": ("place", "text"),

@@ -109,6 +109,9 @@ class _Writer:
         described = [plugin for setting in composition.params for plugin in setting.plugins]
         for plugin in dict.fromkeys((*described, *(plugin for world in composition.worlds for plugin in world.plugins))):
             self.plugin(plugin)
+        for setting in composition.params:
+            for plugin in setting.plugins if setting.robot else ():
+                self.add("plugin_of_robot", self.plugin_key(plugin), f"{numbers[setting.robot]}:0")
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
             subject = self.path(problem.subject) if problem.kind in _OF_FILES else problem.subject
@@ -127,6 +130,7 @@ class _Writer:
         for one in composition.hardware:
             self.add("hardware_interface", one.kind, one.owner, one.name, self.place(one.place))
             self.add("hardware_driver", one.plugin)
+            self.add("hardware_driver_at", one.plugin, self.place(one.driver))
         if composition.hardware_unseen:
             self.add("hardware_unseen")
         return self.rows
@@ -206,14 +210,19 @@ class _Writer:
             for name, text in part.attributes:
                 self.add("robot_attribute", f"{number}:{index}", name, text)
 
+    def plugin_key(self, plugin: SimulatorPlugin) -> str:
+        """What stands for a plug-in in facts."""
+        return f"{self.place(plugin.place)}:{plugin.name}:{plugin.reference or plugin.sensor or ''}"
+
     def plugin(self, plugin: SimulatorPlugin) -> None:
         """A plug-in of a robot or a world; two of one place differ in their elements."""
         place = self.place(plugin.place)
-        key = f"{place}:{plugin.name}:{plugin.reference or plugin.sensor or ''}"
+        key = self.plugin_key(plugin)
         self.add("simulated_plugin", key, library_name(plugin.filename), place)
         self.add("plugin_called", key, plugin.name)
-        for element, text in plugin.elements:
+        for (element, text), at in zip(plugin.elements, plugin.places):
             self.add("plugin_element", key, element, text)
+            self.add("plugin_element_at", key, element, self.place(at))
 
     def view(self, start: str, view: View) -> None:
         """What a viewer shows by its configuration."""

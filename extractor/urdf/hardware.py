@@ -19,7 +19,7 @@ _KINDS = {"command_interface": "command", "state_interface": "state"}
 class HardwareInterface:
     """The interface `name` of the joint, sensor or gpio `owner`, which can be commanded or read (`kind`: command, state).
 
-    `plugin` is the class that drives the hardware.
+    `plugin` is the class that drives the hardware, named at `driver`.
     """
 
     kind: str
@@ -27,6 +27,7 @@ class HardwareInterface:
     name: str
     plugin: str
     place: Place
+    driver: Place
 
 
 def hardware(root: Element) -> Iterator[HardwareInterface]:
@@ -34,10 +35,10 @@ def hardware(root: Element) -> Iterator[HardwareInterface]:
     for element in root.elements():
         if element.tag == "ros2_control":
             drivers = (one for part in element.elements() if part.tag == "hardware" for one in part.elements() if one.tag == "plugin")
-            plugin = next((one.text().strip() for one in drivers), "")
+            plugin, driver = next(((one.text().strip(), one.place) for one in drivers), ("", element.place))
             for owner in (one for one in element.elements() if one.tag in _OWNERS):
                 for one in (each for each in owner.elements() if each.tag in _KINDS):
                     name, interface = (each.attributes.get("name", "") for each in (owner, one))
-                    yield HardwareInterface(_KINDS[one.tag], name, interface, plugin, one.place)
+                    yield HardwareInterface(_KINDS[one.tag], name, interface, plugin, one.place, driver)
         else:
             yield from hardware(element)

@@ -15,7 +15,7 @@ class SimulatorPlugin:
 
     `reference` is the link or joint that it is for: that of `<gazebo reference="...">`, or the SDF link it is in. `sensor` is the sensor it
     is in. `elements` are the elements in it that have no others in them, with their texts, in order; the name of a nested one is its path
-    (`ros/namespace`). `place` is where the plugin is written, be it in the macro of an included file.
+    (`ros/namespace`); `places` says where they are. `place` is where the plugin is written, be it in the macro of an included file.
     """
 
     filename: str
@@ -24,6 +24,7 @@ class SimulatorPlugin:
     sensor: str | None
     elements: tuple[tuple[str, str], ...]
     place: Place
+    places: tuple[Place, ...] = ()
 
 
 def plugins(root: Element) -> tuple[SimulatorPlugin, ...]:
@@ -34,8 +35,9 @@ def plugins(root: Element) -> tuple[SimulatorPlugin, ...]:
 def _below(element: Element, reference: str | None, sensor: str | None) -> Iterator[SimulatorPlugin]:
     if element.tag == "plugin":
         attributes = element.attributes
-        leaves = tuple(_leaves(element, ""))
-        yield SimulatorPlugin(attributes.get("filename", ""), attributes.get("name", ""), reference, sensor, leaves, element.place)
+        leaves = list(_leaves(element, ""))
+        elements, places = tuple((name, text) for name, text, _ in leaves), tuple(place for _, _, place in leaves)
+        yield SimulatorPlugin(attributes.get("filename", ""), attributes.get("name", ""), reference, sensor, elements, element.place, places)
         return
     if element.tag == "gazebo":
         reference = element.attributes.get("reference")
@@ -47,10 +49,10 @@ def _below(element: Element, reference: str | None, sensor: str | None) -> Itera
         yield from _below(child, reference, sensor)
 
 
-def _leaves(element: Element, path: str) -> Iterator[tuple[str, str]]:
+def _leaves(element: Element, path: str) -> Iterator[tuple[str, str, Place]]:
     for child in element.elements():
         name = path + child.tag
         if next(child.elements(), None) is None:
-            yield name, child.text().strip()
+            yield name, child.text().strip(), child.place
         else:
             yield from _leaves(child, f"{name}/")

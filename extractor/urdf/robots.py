@@ -12,13 +12,17 @@ from rosarch.extractor.launch.model import Place
 from rosarch.extractor.urdf.document import Element
 from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
 
-_LEFT_OUT = frozenset({"visual", "collision", "inertial", "gazebo", "ros2_control", "disable_collisions", "material"})
+_LEFT_OUT = frozenset({"visual", "collision", "inertial", "gazebo", "disable_collisions", "material"})
 """Elements that say nothing of the tree of links, nor of groups."""
+_WITH_TEXT = frozenset({"hardwareInterface"})
 
 
 @dataclass(frozen=True)
 class RobotPart:
-    """An element, with its attributes as xacro makes them; `within` is the number of the one that it is in, its own for the root."""
+    """An element, with its attributes as xacro makes them; `within` is the number of the one that it is in, its own for the root.
+
+    What is between the tags of the interface of a transmission is the attribute `text()`.
+    """
 
     tag: str
     attributes: tuple[tuple[str, str], ...]
@@ -45,10 +49,20 @@ def robot(root: Element, *, is_whole: bool = True) -> Robot:
     while stack:
         element, within = stack.pop()
         number = len(parts)
-        parts.append(RobotPart(element.tag, tuple(sorted(element.attributes.items())), element.place, within))
+        attributes = dict(element.attributes)
+        if element.tag in _WITH_TEXT:
+            attributes["text()"] = element.text().strip()
+        parts.append(RobotPart(element.tag, tuple(sorted(attributes.items())), element.place, within))
         stack += [(child, number) for child in reversed(list(_told(element)))]
     return Robot(tuple(parts), plugins(root), is_whole)
 
 
 def _told(element: Element) -> Iterator[Element]:
-    return (child for child in element.elements() if child.tag not in _LEFT_OUT)
+    if element.tag == "ros2_control":
+        return iter(())
+    return (child for child in element.elements() if child.tag not in _LEFT_OUT or child.tag == "gazebo" and _has_control(child))
+
+
+def _has_control(element: Element) -> bool:
+    """Whether hardware is described where nobody looks for it."""
+    return any(child.tag == "ros2_control" for child in element.elements())

@@ -127,7 +127,7 @@ def test_a_driver_of_hardware_makes_its_node_in_the_process_of_the_manager(
 ) -> None:
     before = f"{HEAD}FILE = os.path.dirname(__file__) + '/p.yaml'\n\n"
     found = composed(tmp_path, {"main.launch.py": before + CONTROLLED.replace("NAMED", named), "p.yaml": WHEELS}).with_controllers()
-    driver = HardwareInterface("state", "wheel", "position", "here/Driver", Place("r.urdf", 1, 1))
+    driver = HardwareInterface("state", "wheel", "position", "here/Driver", Place("r.urdf", 1, 1), Place("r.urdf", 1, 1))
     ports = (PORT,) if port else ()
     model = ComponentModel("ws", "Driver", "here", "plugin", "driver", (), ports, ())
     found = with_nodes(

@@ -25,9 +25,10 @@ SDF = b"""<sdf version="1.6"><world name="w">
 def test_plugins_of_a_world() -> None:
     found = plugins(parse(SDF, "a.world").root)
     leaves = (("ros/namespace", "robot"), ("topic", "image"), ("topic", "other"), ("empty", ""))
+    places = tuple(Place("a.world", line, column) for line, column in ((6, 14), (7, 9), (8, 9), (8, 29)))
     assert found == (
         SimulatorPlugin("libclock.so", "clock", None, None, (), Place("a.world", 2, 3)),
-        SimulatorPlugin("libcam.so", "cam", "base", "front", leaves, Place("a.world", 5, 7)),
+        SimulatorPlugin("libcam.so", "cam", "base", "front", leaves, Place("a.world", 5, 7), places),
     )
 
 
