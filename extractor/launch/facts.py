@@ -109,9 +109,9 @@ class _Writer:
         described = [plugin for setting in composition.params for plugin in setting.plugins]
         for plugin in dict.fromkeys((*described, *(plugin for world in composition.worlds for plugin in world.plugins))):
             self.plugin(plugin)
-        for setting in composition.params:
-            for plugin in setting.plugins if setting.robot else ():
-                self.add("plugin_of_robot", self.plugin_key(plugin), f"{numbers[setting.robot]}:0")
+        for robot, number in numbers.items():
+            for plugin in robot.plugins:
+                self.add("plugin_of_robot", self.plugin_key(plugin), f"{number}:0")
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
             subject = self.path(problem.subject) if problem.kind in _OF_FILES else problem.subject
@@ -220,8 +220,9 @@ class _Writer:
         key = self.plugin_key(plugin)
         self.add("simulated_plugin", key, library_name(plugin.filename), place)
         self.add("plugin_called", key, plugin.name)
-        for (element, text), at in zip(plugin.elements, plugin.places):
+        for element, text in plugin.elements:
             self.add("plugin_element", key, element, text)
+        for (element, _), at in zip(plugin.elements, plugin.places, strict=False):
             self.add("plugin_element_at", key, element, self.place(at))
 
     def view(self, start: str, view: View) -> None:

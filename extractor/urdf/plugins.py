@@ -34,10 +34,10 @@ def plugins(root: Element) -> tuple[SimulatorPlugin, ...]:
 
 def _below(element: Element, reference: str | None, sensor: str | None) -> Iterator[SimulatorPlugin]:
     if element.tag == "plugin":
-        attributes = element.attributes
+        filename, called = (element.attributes.get(name, "") for name in ("filename", "name"))
         leaves = list(_leaves(element, ""))
         elements, places = tuple((name, text) for name, text, _ in leaves), tuple(place for _, _, place in leaves)
-        yield SimulatorPlugin(attributes.get("filename", ""), attributes.get("name", ""), reference, sensor, elements, element.place, places)
+        yield SimulatorPlugin(filename, called, reference, sensor, elements, element.place, places)
         return
     if element.tag == "gazebo":
         reference = element.attributes.get("reference")

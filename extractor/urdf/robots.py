@@ -60,7 +60,7 @@ def robot(root: Element, *, is_whole: bool = True) -> Robot:
 def _told(element: Element) -> Iterator[Element]:
     if element.tag == "ros2_control":
         return iter(())
-    return (child for child in element.elements() if child.tag not in _LEFT_OUT or child.tag == "gazebo" and _has_control(child))
+    return (child for child in element.elements() if child.tag not in _LEFT_OUT or (child.tag == "gazebo" and _has_control(child)))
 
 
 def _has_control(element: Element) -> bool:

@@ -32,7 +32,7 @@ def of_interfaces(package: Built) -> tuple[Defect, ...]:
 
 
 def _of_rosidl(package: Built) -> Iterator[Defect]:
-    """Interfaces of ROS 2 that do not exist, that no call lists, or that have no proper name, or a field with none, or of no proper type."""
+    """Interfaces of ROS 2 that do not exist, that no call lists, that have no proper name, or a field without a proper name or type."""
     calls = package.called("rosidl_generate_interfaces")
     if not calls:
         return

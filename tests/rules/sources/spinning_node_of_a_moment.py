@@ -9,8 +9,8 @@ from std_msgs.msg import Bool
 
 class Lamp(Node):
     def __init__(self):
-        super().__init__('lamp')
-        self.sub = self.create_subscription(Bool, 'on', print, 10)
+        super().__init__("lamp")
+        self.sub = self.create_subscription(Bool, "on", print, 10)
 
 
 rclpy.init()
