@@ -36,6 +36,7 @@ def _assume(inference: Inference, call: ast.Call, method: ast.Attribute, scope: 
         bases = [base for value in known if isinstance(value, InstanceValue) and (base := _absent_base(value.cls, method.attr))]
         for base in bases:
             base.bases.append(owner)
+            owner.derived.append(base)
             base.assumed = True
         return bool(bases)
     return False

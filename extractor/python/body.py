@@ -89,8 +89,10 @@ class Facts:
         if function.kind == "constructor":
             return
         short = function.name.rpartition("::")[2]
-        for ancestor in list(owner.ancestors())[1:]:
-            above = ancestor.member(short)
+        # in objects of a class that derives from others, too, it hides what these have behind its own class
+        behind = dict.fromkeys(cls for derived in (owner, *owner.joined()) for cls in derived.following(owner))
+        for cls in behind:
+            above = cls.member(short)
             if isinstance(above, Function):
                 self.add("function_overrides", function.identifier, self.function(above))
 

@@ -114,7 +114,7 @@ def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list
     if not functions and not classes and isinstance(node.func, ast.Attribute) and not _names_field(body, node.func):
         own = super_of(node.func, body.scope)
         if own is not None:
-            functions += _methods(body, [own], node.func.attr, above=True)
+            functions += _inherited(body, own, node.func.attr)
         else:
             objects = by_name(body.inference.values(node.func.value, body.scope))
             functions += _methods(body, [value.cls for value in objects if isinstance(value, InstanceValue)], node.func.attr)
@@ -125,18 +125,28 @@ def _names_field(body: Body, node: ast.Attribute) -> bool:
     return bool(body.inference.fields(node, body.scope))
 
 
-def _methods(body: Body, classes: Iterable[Class], name: str, *, above: bool = False) -> list[Function]:
+def _methods(body: Body, classes: Iterable[Class], name: str) -> list[Function]:
     """The methods `name` of `classes`; of those that may inherit it from a class that is not declared, that class' one."""
     found = []
     for cls in classes:
-        symbol = cls.find(name, above=above)
+        symbol = cls.find(name)
         if isinstance(symbol, Function):
             found.append(symbol)
         elif symbol is None:
-            elsewhere = next((ancestor for ancestor in cls.ancestors() if not ancestor.own and ancestor.name != "object"), None)
-            if elsewhere is not None:
-                found.append(body.facts.program.external_function(f"{elsewhere.name}::{name}", elsewhere))
+            found += _undeclared(body, cls, name)
     return found
+
+
+def _inherited(body: Body, cls: Class, name: str) -> list[Function]:
+    """The methods that `super().name` may be in a method of `cls`."""
+    symbols = cls.above(name)
+    return [symbol for symbol in symbols if isinstance(symbol, Function)] if symbols else _undeclared(body, cls, name)
+
+
+def _undeclared(body: Body, cls: Class, name: str) -> list[Function]:
+    """The method `name` of the first class that `cls` derives from and that is not declared, if there is one."""
+    elsewhere = next((ancestor for ancestor in cls.ancestors() if not ancestor.own and ancestor.name != "object"), None)
+    return [body.facts.program.external_function(f"{elsewhere.name}::{name}", elsewhere)] if elsewhere is not None else []
 
 
 def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], classes: Sequence[Class]) -> str | None:

@@ -22,6 +22,7 @@ from rosarch.extractor.python.model import (
     ModuleValue,
     Scope,
     Source,
+    Symbol,
     Value,
     Values,
     Variable,
@@ -350,9 +351,11 @@ class Inference:
                     found |= self.program.member(value, node.attr)
         return frozenset(found)
 
-    def of_object(self, cls: Class, name: str, *, above: bool = False) -> Values:
-        """What `name` of an object of `cls` stands for; see `Class.find`."""
-        symbol = cls.find(name, above=above)
+    def of_object(self, cls: Class, name: str) -> Values:
+        """What `name` of an object of `cls` stands for."""
+        return self._of_member(cls, cls.find(name), name)
+
+    def _of_member(self, cls: Class, symbol: Symbol | None, name: str) -> Values:
         if isinstance(symbol, Function):
             return self.returns(symbol) if symbol.is_property else frozenset({FunctionValue(symbol, bound=symbol.kind != "static_method")})
         if isinstance(symbol, Variable):
@@ -366,7 +369,8 @@ class Inference:
         """What a call calls."""
         cls = super_of(node.func, scope)
         if cls is not None and isinstance(node.func, ast.Attribute):
-            return self.of_object(cls, node.func.attr, above=True)
+            name = node.func.attr
+            return frozenset(value for symbol in cls.above(name) for value in self._of_member(cls, symbol, name))
         return self.values(node.func, scope)
 
     def _call(self, node: ast.Call, scope: Scope) -> Values:

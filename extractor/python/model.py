@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
@@ -61,6 +61,7 @@ class Class:
     node: ast.ClassDef | None = None
     scope: Scope | None = None
     bases: list[Class] = field(default_factory=list)
+    derived: list[Class] = field(default_factory=list)
     fields: dict[str, Variable] = field(default_factory=dict)
     enumeration: bool = False
     assumed: bool = False
@@ -71,15 +72,40 @@ class Class:
         return self.module is not None and not self.module.stub
 
     def ancestors(self) -> Iterator[Class]:
-        """The class and those it derives from, in the order in which members are looked for; each once."""
-        waiting, seen = [self], {id(self)}
+        """The class and those it derives from, in the order in which members are looked for; each once.
+
+        That is the C3 linearization (https://docs.python.org/3/howto/mro.html). Where there is none, Python rejects the class.
+        """
+        cls, seen = self, dict[int, Class]()
+        while len(cls.bases) == 1 and id(cls) not in seen:
+            seen[id(cls)] = cls
+            yield cls
+            cls = cls.bases[0]
+        yield from (other for other in _linearization(cls) if id(other) not in seen)
+
+    def joined(self) -> list[Class]:
+        """The classes that derive from it and from others, each once: their objects may have other classes behind it."""
+        found = {id(cls): cls for cls in self.derived}
+        waiting = list(found.values())
         while waiting:
-            found = waiting.pop(0)
-            yield found
-            for base in found.bases:
-                if id(base) not in seen:
-                    seen.add(id(base))
-                    waiting.append(base)
+            more = {id(cls): cls for cls in waiting.pop().derived if id(cls) not in found}
+            found |= more
+            waiting += more.values()
+        return [cls for cls in found.values() if len(cls.bases) > 1]
+
+    def following(self, cls: Class) -> list[Class]:
+        """Where objects of this class look for members after those of `cls`, one of its ancestors."""
+        line = list(self.ancestors())
+        return line[line.index(cls) + 1 :] if cls in line else []
+
+    def above(self, name: str) -> list[Symbol]:
+        """What `super().name` may be in its methods."""
+        found: dict[int, Symbol] = {}
+        for cls in (self, *self.joined()):
+            symbol = _first(cls.following(self), name)
+            if symbol is not None:
+                found[id(symbol)] = symbol
+        return list(found.values())
 
     def member(self, name: str) -> Symbol | None:
         """What the class itself, without its bases, calls `name`: a method, a nested class, a data member."""
@@ -87,12 +113,8 @@ class Class:
         return symbol if isinstance(symbol, (Function, Class)) else self.fields.get(name)
 
     def find(self, name: str, *, above: bool = False) -> Symbol | None:
-        """What objects of the class call `name`; from `above`, as `super()` finds it, what they would without the class itself."""
-        for cls in islice(self.ancestors(), 1 if above else 0, None):
-            symbol = cls.member(name)
-            if symbol is not None or (cls.assumed and name == "__init__"):
-                return symbol
-        return None
+        """What objects of the class call `name`; from `above`, what they would without the class itself."""
+        return _first(islice(self.ancestors(), 1 if above else 0, None), name)
 
     def entered(self) -> list[Function]:
         """What making an object enters: `__new__`, and then, unless it gives something else, `__init__`."""
@@ -106,6 +128,41 @@ class Class:
         """The `__new__` that gives something else than an object of the class."""
         made = self.find("__new__")
         return made if isinstance(made, Function) and made.is_factory else None
+
+
+def _linearization(cls: Class) -> list[Class]:
+    """A class and its ancestors; of circles, each once."""
+    lines: dict[int, list[Class]] = {}
+    waiting, entered = [cls], set[int]()
+    while waiting:
+        top = waiting[-1]
+        if id(top) not in entered:
+            entered.add(id(top))
+            waiting += [base for base in top.bases if id(base) not in entered]
+        else:
+            if id(top) not in lines:
+                lines[id(top)] = [top, *_merged([*(lines[id(base)] for base in top.bases if id(base) in lines), top.bases])]
+            waiting.pop()
+    return lines[id(cls)]
+
+
+def _merged(lines: list[list[Class]]) -> Iterator[Class]:
+    """All classes of some lines, each behind those that it is behind in any of them, if that can be."""
+    while lines := [line for line in lines if line]:
+        firsts = [line[0] for line in lines]
+        behind = {id(cls) for line in lines for cls in line[1:]}
+        chosen = next((first for first in firsts if id(first) not in behind), firsts[0])
+        yield chosen
+        lines = [[cls for cls in line if cls is not chosen] for line in lines]
+
+
+def _first(classes: Iterable[Class], name: str) -> Symbol | None:
+    """What the first of the classes that has one calls `name`."""
+    for cls in classes:
+        symbol = cls.member(name)
+        if symbol is not None or (cls.assumed and name == "__init__"):
+            return symbol
+    return None
 
 
 @dataclass(eq=False)

@@ -52,6 +52,8 @@ class Program:
                     found = self.dotted(base, outer or module.scope)
                     cls.bases += [value.cls for value in found if isinstance(value, ClassValue) and cls not in value.cls.ancestors()]
                     cls.bases += [self.external_class(value.path) for value in found if isinstance(value, ExternalValue)]
+                for above in cls.bases:
+                    above.derived.append(cls)
         for module in modules:
             for cls in module.classes.values():
                 for variable in list(cls.fields.values()):
