@@ -10,7 +10,7 @@ import rospy
 from std_msgs.msg import Int32
 
 
-class Base(object):
+class Base:
     def __init__(self):
         self.publisher = rospy.Publisher("out", Int32, queue_size=1)
         rospy.Subscriber("guarded", Int32, self.on_message)
@@ -19,10 +19,10 @@ class Base(object):
         self.publisher.publish(message)
 
 
-class Mixin(object):
+class Mixin:
     def on_message(self, message):
         if message.data > 3:
-            super(Mixin, self).on_message(message)
+            super().on_message(message)
 
 
 class Node(Mixin, Base):
