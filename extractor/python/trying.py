@@ -16,9 +16,10 @@ def lower_try(body: Body, node: ast.Try) -> None:
     from rosarch.extractor.python.statements import lower_statements
 
     flow = body.flow
-    handlers = [flow.block() for _ in node.handlers]
     after = flow.block()
     unhandled = flow.block() if _can_be_repeated(node.finalbody) else None
+    with flow.catching([unhandled], False) if unhandled is not None else nullcontext():
+        handlers = [flow.block() for _ in node.handlers]  # what they raise is passed on
     catches_all = any(_catches_all(handler) for handler in node.handlers)
     caught = [*handlers, *([unhandled] if unhandled is not None and not catches_all else [])] or [after]
     with _finally(body, node.finalbody if unhandled is not None else []):
@@ -32,9 +33,6 @@ def lower_try(body: Body, node: ast.Try) -> None:
             flow.to(after)
             for block, handler in zip(handlers, node.handlers, strict=True):
                 flow.start(block)
-                inside = flow.block()  # what is made here passes on what it raises
-                flow.to(inside)
-                flow.start(inside)
                 if handler.type is not None:
                     lower_statements(body, [ast.copy_location(ast.Expr(handler.type), handler)])
                 lower_statements(body, handler.body)
