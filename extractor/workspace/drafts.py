@@ -150,7 +150,7 @@ def _unsure(run: Evaluator) -> Iterator[Unsure]:
     for diagnostic in run.diagnostics:
         if diagnostic.kind in _LEAVING_OUT.split():
             yield Unsure(diagnostic.message, diagnostic.path, diagnostic.line)
-    if run.lookup("", "CMAKE_INSTALL_PREFIX") != run.prefix:
+    if run.get("CMAKE_INSTALL_PREFIX") != run.prefix:
         yield Unsure("CMAKE_INSTALL_PREFIX is set", Path(run.file), line_with(Path(run.file), "CMAKE_INSTALL_PREFIX"))
     if not os.path.isfile(run.file):
         yield Unsure("no CMakeLists.txt", Path(run.file), 1)
