@@ -8,17 +8,14 @@ nothing for those after it. Nothing is approximated: the rows are those of an ev
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from operator import or_
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rosarch.datalog.engine.engine import Control, Evaluation, Facts, Functions
 from rosarch.datalog.engine.on_demand import make_table
 from rosarch.datalog.engine.plan import Code, Rule, Stratum, TablePlan
-
-if TYPE_CHECKING:
-    from rosarch.datalog.engine.on_demand import Table
 
 KEPT = 8
 """Evaluations of a series of which all rows are kept."""
@@ -43,8 +40,11 @@ class Reading:
         for number, index in enumerate(code.indexes, len(code.relation_slot)):
             self._indexes[index.relation].append(number)
         self.strata = [(stratum, *self._of(code, stratum)) for stratum in code.strata if stratum.rules()]
-        self.all: Strata = (1 << len(self.strata)) - 1
         self._needed = self._strata_needed(code)
+        self._asking: Mapping[int, Strata] = defaultdict(int)
+        for number, (_, _, tables) in enumerate(self.strata):
+            for table in tables:
+                self._asking[table] |= 1 << number
 
     def needed(self, relation: str) -> Strata:
         """The strata that the rows of a relation depend on."""
@@ -64,6 +64,10 @@ class Reading:
         tables = {other for rule in stratum.rules() for number in rule.tables for other in self._asked[number]}
         members = _union(1 << member.full for member in stratum.members)
         return members | _slots(code, stratum.rules()) | _union(self._read[number] for number in tables), tables
+
+    def asking(self, table: int) -> Strata:
+        """The strata that ask a table."""
+        return self._asking[table]
 
     def reads(self, table: int) -> Slots:
         """The relations that a table is derived from."""
@@ -109,12 +113,10 @@ class Again(Evaluation):
         self.facts = facts
         self.changed: Slots = 0  # relations with other rows than before
         self.settled: Strata = 0  # what was run, or taken over
-        self.asked: set[int] = set()  # the tables that these ask
         self.count = 0  # of those that were run
-        # what there was before when this one began: more may be run there since
-        self._settled_before: Strata = before.settled if before else 0
-        self._asked_before: Set[int] = frozenset(before.asked) if before else frozenset()
-        self._tables_before: Sequence[Table] = tuple(before.tables) if before else ()
+        # what had been settled in the evaluations before, the nearest first, and changed there, when this one began
+        self.earlier: Sequence[tuple[Strata, Slots]] = ((before.settled, before.changed), *before.earlier) if before else ()
+        self._taken_over: set[int] = set()  # tables
         super().__init__(code, functions, facts, control, before.state if before else None)
 
     def load(self, facts: Facts) -> None:
@@ -122,7 +124,8 @@ class Again(Evaluation):
         if self.before is None:
             super().load(facts)
             return
-        self.slots, self.tables = list(self.before.slots), list(self._tables_before)
+        self.slots, self.tables = list(self.before.slots), list(self.before.tables)
+        self._taken_over.update(range(len(self.tables)))
         for name in differing(facts, self.before.facts):
             self.changed |= 1 << self._begin(name)
 
@@ -131,14 +134,22 @@ class Again(Evaluation):
         needed = _union(map(self.reading.needed, keep)) & ~self.settled
         for number in _members(needed):
             stratum, reads, tables = self.reading.strata[number]
-            if not self._settled_before >> number & 1 or reads & self.changed:
+            if not self._holds(1 << number, reads):
                 self.count += 1
-                self._run(stratum, tables, fresh=not self._settled_before >> number & 1)
+                self._run(stratum, tables)
             self.settled |= 1 << number
-            self.asked.update(tables)
         if needed and self.count * SHARE >= self.settled.bit_count():
             self.series.keep(self)
         return super().rows(keep)
+
+    def _holds(self, strata: Strata, reads: Slots) -> bool:
+        """Whether what was derived from `reads`, by the nearest evaluation before that settled any of `strata`, would be the same here."""
+        changed = self.changed
+        for settled, changed_there in self.earlier:
+            if settled & strata:
+                return not reads & changed
+            changed |= changed_there
+        return False
 
     def close(self) -> None:
         """Let go of all relations, unless later evaluations may take them over."""
@@ -147,8 +158,7 @@ class Again(Evaluation):
 
     def release(self) -> None:
         """Let go of all relations, but for what is of the evaluation before."""
-        taken_over = set(map(id, self._tables_before))
-        self.tables = [table for table in self.tables if id(table) not in taken_over]
+        self.tables = [table for number, table in enumerate(self.tables) if number not in self._taken_over]
         super().close()
 
     def whole_relation(self, plan: TablePlan) -> Collection[Any]:
@@ -165,22 +175,21 @@ class Again(Evaluation):
             self.slots[index] = None
         return slot
 
-    def _run(self, stratum: Stratum, tables: Iterable[int], *, fresh: bool) -> None:
-        """Run a stratum that reads `tables`; its relations have changed if they have other rows than before, or `fresh` ones."""
-        if self.before is None:
-            self.run_stratum(stratum)
-            return
-        for number in tables:  # all that these are derived from is there
-            is_same = number in self._asked_before and not self.reading.reads(number) & self.changed
-            if self.tables[number] is self._tables_before[number] and not is_same:
+    def _run(self, stratum: Stratum, tables: Iterable[int]) -> None:
+        """Run a stratum that reads `tables`; its relations have changed if they have other rows than before."""
+        for number in self._taken_over.intersection(tables):  # all that these are derived from is there
+            if not self._holds(self.reading.asking(number), self.reading.reads(number)):
+                self._taken_over.remove(number)
                 self.tables[number] = make_table(self.code.tables[number], self)
+        slots = [member.full for member in stratum.members]
+        before = [{same: self.slots[same] for same in (slot, *self.reading.indexes(slot))} for slot in slots]
         for member in stratum.members:
             self._begin(member.name)
         self.run_stratum(stratum)
-        for slot in (member.full for member in stratum.members):
-            if not fresh and _alike(self.slots[slot], self.before.slots[slot]):
-                for same in (slot, *self.reading.indexes(slot)):
-                    self.slots[same] = self.before.slots[same]
+        for slot, known in zip(slots, before, strict=True):
+            if _alike(self.slots[slot], known[slot]):
+                for same, value in known.items():
+                    self.slots[same] = value
             else:
                 self.changed |= 1 << slot
 

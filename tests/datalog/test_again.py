@@ -140,6 +140,20 @@ def test_what_was_not_asked_for_before_is_run_when_it_is(load: Load, run: list[s
         assert run == ["other"]
 
 
+def test_what_was_left_out_in_between_is_taken_over_from_further_back(load: Load, run: list[str]) -> None:
+    source = TWO + ".decl g(a: number)\n.input g\n.decl apart(a: number)\n.output apart\napart(A) :- g(A), A > 0.\n"
+    with load(source).series() as evaluate:
+        kept = [evaluate({"e": {(1,)}, "g": {(1,)}})]
+        assert kept[0].rows("first") == [(2,)] and kept[0].rows("apart") == [(1,)]
+        kept.append(evaluate({"e": {(2,)}, "g": {(1,)}}))
+        assert kept[1].rows("first") == [(3,)]
+        run.clear()
+        last = evaluate({"e": {(2,)}, "g": {(1,)}})
+        assert last.rows("apart") == [(1,)] and last.rows("first") == [(3,)]
+        assert run == []
+        assert evaluate({"e": {(2,)}, "g": {(7,)}}).rows("apart") == [(7,)]
+
+
 def test_rows_by_relation_are_those_of_all_that_are_kept(load: Load) -> None:
     with load(TWO).series() as evaluate:
         found = evaluate({"e": {(5,)}})
@@ -147,28 +161,32 @@ def test_rows_by_relation_are_those_of_all_that_are_kept(load: Load) -> None:
         assert "e" not in found.by_relation()
 
 
-def test_a_table_that_changes_reach_is_asked_anew(load: Load) -> None:
-    """`holds` is derived on demand; after many keys, as a whole."""
-    source = """
+ASKED = """
 .decl below(a: number, b: number)
 .input below
-.decl leaf(a: number, n: number)
-.input leaf
 .decl name(a: number)
 .input name
 .decl asked(a: number)
 asked(A) :- name(A).
 .decl holds(a: number, n: number)
-holds(A, N) :- leaf(A, N).
-holds(A, N) :- below(A, B), holds(B, N).
 .decl r(a: number, n: number)
 .output r
 r(A, N) :- asked(A), holds(A, N).
 """
+
+
+def test_a_table_that_changes_reach_is_asked_anew(load: Load) -> None:
+    """`holds` is derived on demand; after many keys, as a whole."""
+    source = """
+.decl leaf(a: number, n: number)
+.input leaf
+holds(A, N) :- leaf(A, N).
+holds(A, N) :- below(A, B), holds(B, N).
+"""
     tree = {(n, 2 * n + k) for n in range(1, 50) for k in (0, 1)}
     all_ = {(n,) for n in range(1, 100)}
     agree(
-        load(source, on_demand=True),
+        load(ASKED + source, on_demand=True),
         [
             {"below": tree, "leaf": {(77, 1)}, "name": {(1,)}},
             {"below": tree, "leaf": {(77, 1)}, "name": all_},
@@ -181,23 +199,13 @@ r(A, N) :- asked(A), holds(A, N).
 def test_a_table_that_nothing_asked_before_is_asked_anew(load: Load) -> None:
     """`holds` is derived on demand; in the evaluation before only what it is derived from was run."""
     source = """
-.decl below(a: number, b: number)
-.input below
-.decl name(a: number)
-.input name
-.decl asked(a: number)
-asked(A) :- name(A).
 .decl above(a: number, b: number)
 .output above
 above(B, A) :- below(A, B).
-.decl holds(a: number, n: number)
 holds(A, B) :- above(A, B).
 holds(A, C) :- above(A, B), holds(B, C).
-.decl r(a: number, n: number)
-.output r
-r(A, N) :- asked(A), holds(A, N).
 """
-    with load(source, on_demand=True).series() as evaluate:
+    with load(ASKED + source, on_demand=True).series() as evaluate:
         assert evaluate({"below": {(1, 2)}, "name": {(2,)}}).rows("r") == [(2, 1)]
         assert evaluate({"below": {(1, 2), (0, 1)}, "name": {(2,)}}).rows("above") == [(1, 0), (2, 1)]
         assert evaluate({"below": {(1, 2), (0, 1)}, "name": {(2,), (1,)}}).rows("r") == [(1, 0), (2, 0), (2, 1)]
