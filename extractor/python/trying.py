@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 
 from rosarch.extractor.python.body import Body
 
+MOST_REPEATED = 2_000
+"""Statements; where a `finally` would come to more, where it goes on after an exception is not distinguished."""
 _EVERYTHING = ("Exception", "BaseException")
 
 
@@ -17,7 +19,7 @@ def lower_try(body: Body, node: ast.Try) -> None:
 
     flow = body.flow
     after = flow.block()
-    unhandled = flow.block() if _can_be_repeated(node.finalbody) else None
+    unhandled = flow.block() if _can_be_repeated(node) else None
     with flow.catching([unhandled], False) if unhandled is not None else nullcontext():
         handlers = [flow.block() for _ in node.handlers]  # what they raise is passed on
     catches_all = any(_catches_all(handler) for handler in node.handlers)
@@ -45,10 +47,30 @@ def lower_try(body: Body, node: ast.Try) -> None:
     lower_statements(body, node.finalbody)
 
 
-def _can_be_repeated(statements: Sequence[ast.stmt]) -> bool:
-    """Whether statements can be read once for each way that leads to them: they define nothing."""
+def _can_be_repeated(node: ast.Try) -> bool:
+    """Whether `finally` can be read once for each way that leads to it: it defines nothing, and that is not too much in all."""
+    if not node.finalbody or _ways(node) * _read(node.finalbody) > MOST_REPEATED:
+        return False
     defining = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
-    return bool(statements) and not any(isinstance(part, defining) for statement in statements for part in ast.walk(statement))
+    return not any(isinstance(part, defining) for statement in node.finalbody for part in ast.walk(statement))
+
+
+def _ways(node: ast.Try) -> int:
+    """How many ways lead to `finally`, at most."""
+    leaving = (ast.Return, ast.Break, ast.Continue)
+    return 2 + sum(isinstance(part, leaving) for part in ast.walk(node))
+
+
+def _read(nodes: Iterable[ast.AST]) -> int:
+    """How many statements are read for these, with those in them that are repeated."""
+    total = 0
+    for node in nodes:
+        once = set(ast.iter_child_nodes(node))
+        if isinstance(node, ast.Try) and node.finalbody:
+            once -= set(node.finalbody)
+            total += _ways(node) * _read(node.finalbody)
+        total += 1 + _read(part for part in once if isinstance(part, (ast.stmt, ast.excepthandler, ast.match_case)))
+    return total
 
 
 @contextmanager

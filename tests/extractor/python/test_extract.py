@@ -221,3 +221,20 @@ def test_an_assertion_raises_and_elements_may_be_absent(tmp_path: Path) -> None:
     element = next(expr for expr, sign in rows["operator"] if sign == "[]")
     block = next(block for block, _, expr in rows["block_expr"] if expr == element)
     assert "exception" in {label for start, _, label in rows["block_edge"] if start == block}
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "".join(f"{' ' * n}try:\n{' ' * n} f()\n{' ' * n}finally:\n" for n in range(60)) + " " * 60 + "f()\n",
+        "def g(x):\n try:\n" + "".join(f"  if x == {n}:\n   return f()\n" for n in range(500)) + " finally:\n" + "  f()\n" * 500,
+    ],
+)
+def test_what_is_in_finally_is_not_read_for_all_ways_where_these_are_many(tmp_path: Path, source: str) -> None:
+    rows, _ = extract(tmp_path, f"def f(): pass\n{source}")
+    assert len(rows["call"]) < 10_000
+
+
+def test_what_is_in_finally_is_read_for_each_way(tmp_path: Path) -> None:
+    rows, _ = extract(tmp_path, "def f(): pass\ndef g():\n try:\n  return 1\n finally:\n  f()\n")
+    assert len(rows["call"]) == 3
